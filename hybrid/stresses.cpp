@@ -32,9 +32,6 @@ namespace {
 /// finite-element model.
 constexpr double reach_above = 0.125;
 
-/// Points shallower than this count as on the surface (rounding), mm.
-constexpr double on_surface = 1e-9;
-
 /// From the axes of the surface to x, y, z.
 void turn(const contact::Axes& axes, SubsurfaceState& state) {
   state.stress = contact::out_of_axes(axes, state.stress);
@@ -52,41 +49,6 @@ contact::Geometry following(const contact::Scene& scene) {
   contact::Geometry geometry = scene.geometry;
   geometry.surface.follows = 1.0;
   return geometry;
-}
-
-/// Half-space stress plus correction, in coordinates along the surface. On the surface the steps of
-/// the tractions make the stress along it infinite at element edges; points there get the mean of
-/// the four surrounding element centres.
-std::vector<SubsurfaceState> half_space_at(const halfspace::LoadedBody& body,
-                                           const std::vector<SubsurfacePoint>& points) {
-  std::vector<SubsurfacePoint> all = points;
-  const contact::ContactGrid& grid = body.grid;
-  const auto cell = [](double at, double first, double step) {
-    return std::floor((at - first) / step + 1e-9);
-  };
-  for (const SubsurfacePoint& at : points) {
-    if (at.depth > on_surface) continue;
-    for (const int b : {0, 1})
-      for (const int a : {0, 1})
-        all.push_back({grid.x_first + (cell(at.x, grid.x_first, grid.dx) + a) * grid.dx,
-                       grid.y_first + (cell(at.y, grid.y_first, grid.dy) + b) * grid.dy, 0.0});
-  }
-  auto states = halfspace::subsurface_at(body, all);
-  std::size_t next = points.size();
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const SubsurfacePoint& at = points[k];
-    if (at.depth > on_surface) continue;
-    std::array<double, 6> stress{};
-    for (std::size_t corner = 0; corner < 4; ++corner, ++next) {
-      const double weight = (1.0 - std::abs(at.x - all[next].x) / grid.dx) *
-                            (1.0 - std::abs(at.y - all[next].y) / grid.dy);
-      const auto value = states[next].stress.as_array();
-      for (std::size_t c = 0; c < 6; ++c) stress[c] += weight * value[c];
-    }
-    states[k].stress = contact::Stress::from_array(stress);
-  }
-  states.resize(points.size());
-  return states;
 }
 
 }  // namespace
@@ -169,7 +131,7 @@ SubsurfaceField Stresses::field(const SubsurfaceRequest& request, std::size_t nu
   SubsurfaceField field;
   field.request = request;
   field.points = asked.places;
-  auto states = half_space_at(body.half, asked.points);
+  auto states = halfspace::smooth_subsurface_at(body.half, asked.points);
   for (std::size_t k = 0; k < states.size(); ++k) {
     body.add_beyond(asked.points[k], states[k]);
     turn(asked.axes[k], states[k]);
@@ -225,7 +187,7 @@ void Stresses::finish(const contact::ContactGrid& grid, double part, double rela
     if (maximum.measure == contact::xz_range) widen_by(plain[k].value);
     const bool wheel = maximum.body == "wheel";
     const SubsurfacePoint at{maximum.place[0], maximum.place[1], std::abs(maximum.place[2])};
-    const auto half = half_space_at(loaded.of(wheel).half, {at});
+    const auto half = halfspace::smooth_subsurface_at(loaded.of(wheel).half, {at});
     for (const contact::StressMeasure& measure : contact::reported_measures())
       if (measure.name == maximum.measure) widen_by(measure.value(half.front().stress));
     maximum.place = place(wheel, at.x, at.y, at.depth);

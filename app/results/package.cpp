@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The commands `study`, `compare` and `bench`, which the Python package carries out
-// (postprocess/rollfem/commands.py): here are their options, for help, manual page and completion.
+// The commands `study`, `compare`, `bench` and `stress`, which the Python package carries out
+// (postprocess/rollfem/commands): here are their options, for help, manual page and completion.
 #include "app/frame/computing.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
@@ -24,7 +24,10 @@ namespace {
 struct Handed {
   std::map<std::string, std::vector<std::string>> words;
   std::map<std::string, std::string> text;
+  std::map<std::string, std::vector<int>> numbers;
+  std::map<std::string, std::vector<double>> values;
   std::map<std::string, int> number;
+  std::map<std::string, double> value;
   std::map<std::string, bool> flag;
   contact::Share share;
 };
@@ -52,7 +55,6 @@ void refuse_own_models(const CLI::App& command, const contact::ModelRegistry& mo
 
 /// Runs the command in the package: this process becomes Python.
 [[noreturn]] void hand_over(const CLI::App& command, const Call& call) {
-  refuse_own_models(command, call.models);
   // Before numpy starts a thread a core.
   ::setenv("OPENBLAS_NUM_THREADS", "1", 0);
   if (modelling::processes().count > 1)
@@ -67,7 +69,10 @@ void refuse_own_models(const CLI::App& command, const contact::ModelRegistry& mo
 /// Ends the declaration of a command: the last options, and what it does.
 void finish(CLI::App& command, const Call& call, const std::shared_ptr<Handed>& handed) {
   command.add_flag("-q,--quiet", handed->flag["quiet"], "print errors and warnings only");
-  command.callback([&command, &call, handed] { hand_over(command, call); });
+  command.callback([&command, &call, handed] {
+    refuse_own_models(command, call.models);
+    hand_over(command, call);
+  });
 }
 
 /// Adds the options of the commands that write a folder with a report.
@@ -160,6 +165,58 @@ void add_bench(CLI::App& program, Call& call) {
   bench->add_flag("--json", handed->flag["json"], "print one JSON object and nothing else");
   finish(*bench, call, handed);
   bench->footer("example: rollfem bench");
+}
+
+void add_stress(CLI::App& program, Call& call) {
+  const auto handed = std::make_shared<Handed>();
+  CLI::App* stress = program.add_subcommand(
+      "stress",
+      "stress and displacement at points, on lines and on planes from stored results, without "
+      "solving again; largest stresses; shakedown map");
+  stress
+      ->add_option("result", handed->text["result"],
+                   "result folder of rollfem run, or its results.h5")
+      ->required();
+  stress
+      ->add_option("-m,--model", handed->words["model"],
+                   "models of the result, separated by commas; default: " +
+                       contact::listed(call.models.names(&contact::ModelInfo::has_stress)) +
+                       ", if present")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  stress->add_option("--patch", handed->text["patch"],
+                     "with profiles: SIDE,POSITION,PATCH, e.g. left,1,1; default: the first");
+  stress
+      ->add_option("--point", handed->numbers["point"],
+                   "load points, counted from 1, separated by commas; default: the last")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  stress
+      ->add_option("--creepage", handed->values["creepage"],
+                   "load points with these longitudinal creepages, separated by commas")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  stress->add_option(
+      "--places", handed->text["places"],
+      "TOML file with [[subsurface.point]], .line, .plane and .surface, as in a case file");
+  stress->add_flag("--depth-profile", handed->flag["depth-profile"],
+                   "add vertical lines below the centre of the patch and below the most loaded "
+                   "element; the default when no points are requested");
+  stress->add_option("--depth", handed->value["depth"],
+                     "depth of these lines in mm; default: three times the smaller semi-axis");
+  stress->add_option("--yield-shear-stress", handed->value["yield-shear-stress"],
+                     "shear yield stress k in MPa, for the shakedown map");
+  stress->add_option("--yield-strength", handed->value["yield-strength"],
+                     "yield strength in MPa, instead of k (k = strength / sqrt(3))");
+  stress->add_option("-o,--output", handed->text["output"],
+                     "folder for stress.csv, stress.json and figures; default: the name of the "
+                     "result folder with _stress");
+  add_json_flag(*stress, handed->flag["json"]);
+  stress->add_flag("--no-figures", handed->flag["no-figures"], "write the tables only");
+  stress->footer(
+      "example: rollfem stress results/thesis_a --yield-strength 520 --places places.toml\n"
+      "x along rolling, y lateral, z into the wheel: z > 0 in the wheel, z < 0 in the rail.");
+  stress->callback([stress, handed, &call] { hand_over(*stress, call); });
 }
 
 }  // namespace rollfem::app

@@ -25,6 +25,9 @@ Shared unpacked(const py::tuple& state);
 /// The models of the package.
 const contact::ModelRegistry& known_models();
 
+/// Dictionaries body, measure, value, place.
+py::list maxima_of(const std::vector<contact::StressMaximum>& maxima);
+
 /// {name: (title, symbol, unit, meaning, percent_of)}, in the order of the files.
 py::dict quantities();
 /// {name: (unit, description, sign)}
@@ -35,10 +38,12 @@ py::object place_of(const std::optional<contact::ContactPlace>& place);
 
 /// The class CreepTable, on which rollfem.Table is made, and `fill_table`.
 void define_tables(py::module_& module);
-/// Stresses, writing and drawing.
+/// Writing and drawing.
 void define_commands(py::module_& module);
 /// The classes Scene, Level, Computing and Computation, by which studies and comparisons solve.
 void define_computations(py::module_& module);
+/// Stresses below the surface of stored load points.
+void define_stress(py::module_& module);
 /// Profiles, contact points and the rigid wheelset.
 void define_track(py::module_& module);
 

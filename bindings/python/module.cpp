@@ -108,6 +108,7 @@ PYBIND11_MODULE(_core, module) {
   python::define_tables(module);
   python::define_commands(module);
   python::define_computations(module);
+  python::define_stress(module);
   python::define_track(module);
   py::class_<Case>(module, "Case")
       .def_readonly("file", &Case::file)

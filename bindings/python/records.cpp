@@ -9,6 +9,8 @@
 
 namespace rollfem::python {
 
+using namespace py::literals;
+
 namespace {
 
 using postprocess::Array;
@@ -72,6 +74,14 @@ py::tuple contents_of(const Shared& result) {
   }
   whole[2]["models"] = py::make_tuple(py::dict(), py::dict(), models);
   return whole;
+}
+
+py::list maxima_of(const std::vector<contact::StressMaximum>& maxima) {
+  py::list found;
+  for (const contact::StressMaximum& maximum : maxima)
+    found.append(py::dict("body"_a = maximum.body, "measure"_a = maximum.measure,
+                          "value"_a = maximum.value, "place"_a = maximum.place));
+  return found;
 }
 
 py::object place_of(const std::optional<contact::ContactPlace>& place) {

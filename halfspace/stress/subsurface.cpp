@@ -382,6 +382,39 @@ std::vector<SubsurfaceLayer> subsurface_box(const LoadedBody& body,
   return layers;
 }
 
+std::vector<SubsurfaceState> smooth_subsurface_at(const LoadedBody& body,
+                                                  const std::vector<SubsurfacePoint>& points) {
+  constexpr double on_surface = 1e-9;  // mm, rounding
+  std::vector<SubsurfacePoint> all = points;
+  const contact::ContactGrid& grid = body.grid;
+  const auto cell = [](double at, double first, double step) {
+    return std::floor((at - first) / step + 1e-9);
+  };
+  for (const SubsurfacePoint& at : points) {
+    if (at.depth > on_surface) continue;
+    for (const int b : {0, 1})
+      for (const int a : {0, 1})
+        all.push_back({grid.x_first + (cell(at.x, grid.x_first, grid.dx) + a) * grid.dx,
+                       grid.y_first + (cell(at.y, grid.y_first, grid.dy) + b) * grid.dy, 0.0});
+  }
+  auto states = subsurface_at(body, all);
+  std::size_t next = points.size();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const SubsurfacePoint& at = points[k];
+    if (at.depth > on_surface) continue;
+    std::array<double, 6> stress{};
+    for (std::size_t corner = 0; corner < 4; ++corner, ++next) {
+      const double weight = (1.0 - std::abs(at.x - all[next].x) / grid.dx) *
+                            (1.0 - std::abs(at.y - all[next].y) / grid.dy);
+      const auto value = states[next].stress.as_array();
+      for (std::size_t c = 0; c < 6; ++c) stress[c] += weight * value[c];
+    }
+    states[k].stress = contact::Stress::from_array(stress);
+  }
+  states.resize(points.size());
+  return states;
+}
+
 std::vector<std::array<double, 3>> subsurface_points(const contact::SubsurfaceRequest& request) {
   std::vector<std::array<double, 3>> points;
   const auto share = [](int k, int count) {

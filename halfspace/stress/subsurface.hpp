@@ -64,6 +64,12 @@ enum class Summation {
 std::vector<SubsurfaceState> subsurface_at(const LoadedBody& body,
                                            const std::vector<SubsurfacePoint>& points);
 
+/// The same, but on the surface the mean of the stress at the middles of the four elements around a
+/// point: there the steps of the tractions make the stress along the surface infinite at the edges
+/// of elements.
+std::vector<SubsurfaceState> smooth_subsurface_at(const LoadedBody& body,
+                                                  const std::vector<SubsurfacePoint>& points);
+
 /// State on the points of a lattice (the element centres of a ContactGrid) at several depths: a
 /// box; a lattice with nx or ny = 1 is a vertical section. For FFT summation the lattice needs dx
 /// and dy of the contact grid, but may be shifted, larger or smaller.

@@ -5,14 +5,14 @@ A result folder gets figures/*.svg and report.html; the folder of a comparison, 
 study.html or table.html; stress.json of `rollfem stress` stress.html and figures beside it; the table NAME.csv of a
 profile, of a wheel on its rail or of a wheelset NAME.svg.
 
-The program runs its commands study, compare and bench as python3 -m rollfem COMMAND OPTIONS."""
+The program runs its commands study, compare, bench and stress as python3 -m rollfem COMMAND OPTIONS."""
 import sys
 
 from .figures.catalogue import build
 
 
 def main() -> None:
-    if sys.argv[1:2] in (["study"], ["compare"], ["bench"]) and len(sys.argv) == 3:
+    if sys.argv[1:2] in (["study"], ["compare"], ["bench"], ["stress"]) and len(sys.argv) == 3:
         try:
             from .commands.line import main as command
         except ImportError as error:

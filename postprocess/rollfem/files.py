@@ -4,8 +4,8 @@ import contextlib
 import csv
 import io
 import json
+import math
 import os
-import re
 import stat
 import zlib
 from collections.abc import Iterator, Mapping
@@ -46,24 +46,28 @@ def folder_of(path: str) -> str:
     return path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
 
 
+def _seal(size: int, crc: int) -> bytes:
+    """The user block before HDF5 data of this size and checksum."""
+    text = (f"rollfem results\nbytes: {size}\ncrc32: {crc:08x}\n"
+            f"of the HDF5 data behind this user block of {_SEAL} bytes\n")
+    return text.ljust(_SEAL, "\n").encode("ascii")
+
+
 def results_are_sound(path: str) -> bool:
     """False if the checksum of results.h5 is missing or does not match."""
     with open(path, "rb", opener=regular) as file:
-        found = re.match(rb"rollfem results\nbytes: (\d+)\ncrc32: ([0-9a-f]{8})\n", file.read(_SEAL))
-        size, crc = 0, 0
+        block, size, crc = file.read(_SEAL), 0, 0
         while part := file.read(1 << 20):
             size, crc = size + len(part), zlib.crc32(part, crc)
-    return found is not None and (int(found[1]), int(found[2], 16)) == (size, crc)
+    return block == _seal(size, crc)
 
 
 def seal_results(path: str) -> None:
     """Updates the checksum after h5py or another program has changed results.h5."""
     with open(path, "r+b") as file:
         data = file.read()[_SEAL:]
-        text = (f"rollfem results\nbytes: {len(data)}\ncrc32: {zlib.crc32(data):08x}\n"
-                f"of the HDF5 data behind this user block of {_SEAL} bytes\n")
         file.seek(0)
-        file.write(text.ljust(_SEAL, "\n").encode("ascii"))
+        file.write(_seal(len(data), zlib.crc32(data)))
 
 
 def json_is_sound(text: str) -> bool:
@@ -73,9 +77,18 @@ def json_is_sound(text: str) -> bool:
     return at >= 0 and data[at + 19:] == b'%08x"\n}\n' % zlib.crc32(data[:at])
 
 
-def sealed_json(data: Mapping[str, Any]) -> str:
+def _finite(value: Any) -> Any:
+    """JSON has no infinite numbers and no nan: they are null."""
+    if isinstance(value, Mapping):
+        return {name: _finite(each) for name, each in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(each) for each in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def sealed_json(data: Mapping[str, Any], indent: int = 1) -> str:
     """The text of a JSON object with its checksum as the last member."""
-    body = json.dumps(data, indent=1, ensure_ascii=False).encode("utf-8", "replace").removesuffix(b"\n}") + b",\n  "
+    body = json.dumps(_finite(data), indent=indent, ensure_ascii=False).encode("utf-8", "replace").removesuffix(b"\n}") + b",\n  "
     return f'{body.decode()}"checksum": "crc32 {zlib.crc32(body):08x}"\n}}\n'
 
 

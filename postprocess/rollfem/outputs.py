@@ -6,15 +6,17 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from html import escape
 from typing import Annotated, Any
 
 import numpy as np
 
 from .errors import FileError
-from .files import folder_of, json_is_sound, regular, rows_of
+from .files import cell, folder_of, json_is_sound, regular, rows_of, sealed_json
 from .frames import Written, documented
 from .result import Result
+from .stresses import stress_measures
 
 
 @documented
@@ -51,11 +53,16 @@ class Files(Written):
             data = json.loads(contents[f"{cls.kind}.json"])
             if (data.get("kind", cls.kind), data.get("format")) != (cls.kind, cls.format):
                 raise FileError(f"{file} is not a {cls.word} that this program reads; run the command again")
-            return cls(contents, folder=folder)
+            return cls.of(contents, folder)
         except FileError:
             raise
         except (KeyError, IndexError, ValueError) as error:
             raise FileError(f"{file} is truncated or damaged: {error!r}; run the command again") from error
+
+    @classmethod
+    def of(cls, contents: Mapping[str, str], folder: str) -> Any:
+        """From its files."""
+        return cls(contents, folder=folder)
 
     @property
     def title(self) -> str:
@@ -131,15 +138,39 @@ class StressSet:
     (points across, points along): `columns["von_mises"].reshape(shape)` is the lattice of a plane.
     """
 
-    name: str  # at_1, line_1, plane_1, depth_centre, depth_most_loaded
+    name: str  # point_1, line_1, plane_1, depth_centre, depth_most_loaded
     kind: str  # point, line, plane, surface
     body: str  # wheel, rail
     shape: tuple[int, int]
     columns: dict[str, np.ndarray]
-    largest: list[dict[str, Any]]  # dicts measure, value (MPa), over_max_pressure, place [x, y, z]
+    largest: list[dict[str, Any]]  # body, measure, value (MPa), place [x, y, z]
+    moved: float = 0.0  # mm, largest distance by which a place was moved onto the surface
 
     def __getitem__(self, name: str) -> np.ndarray:
         return self.columns[name]
+
+    @property
+    def places(self) -> np.ndarray:
+        """[n, 3], mm."""
+        return np.stack([self.columns[name] for name in "xyz"], axis=1)
+
+    @property
+    def stress(self) -> np.ndarray:
+        """[n, 6], MPa: xx, yy, zz, xy, yz, xz."""
+        return np.stack([self.columns[name] for name in COMPONENTS], axis=1)
+
+
+COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
+
+
+def columns_below(places: np.ndarray, displacement: np.ndarray, stress: np.ndarray) -> dict[str, np.ndarray]:
+    """The columns of stress.csv."""
+    measures = stress_measures(stress)
+    return {"distance": np.hypot(np.hypot(*(places - places[0])[:, :2].T), (places - places[0])[:, 2]),
+            **dict(zip("xyz", places.T)), **{f"displacement_{axis}": each for axis, each in zip("xyz", displacement.T)},
+            **dict(zip(COMPONENTS, stress.T)), **{name: measures[name] for name in ("hydrostatic", "von_mises", "tresca",
+                                                                                 "orthogonal_shear")},
+            **{f"principal_{k + 1}": each for k, each in enumerate(measures["principal"].T)}}
 
 
 @dataclass
@@ -167,15 +198,28 @@ class Stress(Files):
     kind, word, format = "stress", "result of stresses", 2
     drawn_from = "stress.json"
 
-    def __init__(self, contents: Mapping[str, str], text: str = "", folder: str = "") -> None:
-        super().__init__(contents, text, folder)
+    def __init__(self, data: dict[str, Any], models: list[StressModel], text: str = "", folder: str = "") -> None:
+        self.data, self.models, self.text, self.folder = data, models, text, folder
+
+    @classmethod
+    def of(cls, contents: Mapping[str, str], folder: str) -> "Stress":
+        data = json.loads(contents["stress.json"])
         groups: dict[Any, list[list[float]]] = {}
         names: list[str] = []
-        for row in rows_of(self.contents["stress.csv"])[1]:
+        for row in rows_of(contents["stress.csv"])[1]:
             names, (model, point, name, body, *numbers) = list(row)[4:], row.values()
             groups.setdefault((model, int(point), name, body), []).append([float(number) for number in numbers])
         columns = {key: dict(zip(names, np.array(rows).T)) for key, rows in groups.items()}
-        self.models = [StressModel(entry["name"], entry["key"], [
+        return cls(data, [StressModel(entry["name"], entry["key"], [
             StressSet(s["name"], s["kind"], s["body"], (s["points_across"], s["points_along"]),
-                      columns[entry["key"], entry["point"], s["name"], s["body"]], s["largest"]) for s in entry["sets"]],
-            entry, entry.get("label", "")) for entry in self.data["models"]]
+                      columns[entry["key"], entry["point"], s["name"], s["body"]], s["largest"], s["moved"]) for s in entry["sets"]],
+            entry, entry.get("label", "")) for entry in data["models"]], folder=folder)
+
+    @cached_property
+    def contents(self) -> dict[str, str]:  # type: ignore[override]
+        """Files by their names."""
+        head = "model,point,set,body," + ",".join(
+            f"{name} [{'mm' if k < 7 else 'MPa'}]" for k, name in enumerate(self.models[0].sets[0].columns))
+        rows = [f"{model.key},{model.data['point']},{part.name},{part.body},{','.join(map(cell, row))}" for model in self.models
+                for part in model.sets for row in np.stack(list(part.columns.values()), axis=1).tolist()]
+        return {"stress.csv": "\n".join([head, *rows, ""]), "stress.json": sealed_json(self.data, 2)}

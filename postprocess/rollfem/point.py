@@ -194,8 +194,9 @@ class Point(Named):
     @property
     def tangential_coefficient(self) -> float:
         """T/F_z, of the tangential tractions alone, as in stress.json: the pressure of a curved patch acts across, too."""
-        across = self.scalars["lateral_force"] - self.scalars["lateral_pressure"]
-        return math.hypot(self.scalars["longitudinal_force"], across) / float(self.scalars["normal_force"])
+        force = float(self.scalars.get("normal_force", 0.0))  # none without a solution
+        across = self.scalars.get("lateral_force", 0.0) - self.scalars.get("lateral_pressure", 0.0)
+        return math.hypot(self.scalars.get("longitudinal_force", 0.0), across) / force if force > 0 else 0.0
 
     @property
     def creepages(self) -> tuple[float, float, float]:

@@ -6,6 +6,7 @@
     point = result["halfspace"].nearest(longitudinal_creepage=0.002)
     point["traction_x"]          # numpy array [ny, nx], MPa, on the wheel
 """
+import errno
 import os
 
 import numpy as np
@@ -16,6 +17,8 @@ from .node import Node, hdf5
 from .result import Result
 
 FORMAT_VERSION = 2
+_WANTED = "do: name a result folder of rollfem run, or its results.h5"
+_AGAIN = "do: run the case again"
 #: What rollfem writes, by a characteristic file of its folder.
 KINDS = {"results.h5": "result", "table.h5": "table", "study.json": "study", "compare.json": "compare", "stress.json": "stress"}
 
@@ -31,12 +34,19 @@ def _read_file(path: str, folder: str) -> Result:
     with hdf5().File(path, "r") as file:
         about = dict(file.attrs)
         if about.get("format") != "rollfem results":
-            raise FileError(f"{path} is not a result of rollfem")
+            raise FileError(f"{path} is an HDF5 file, but not a result of rollfem; do: name the results.h5 of a run")
         if about.get("format_version", 0) != FORMAT_VERSION:
-            raise FileError(f"{path} has format version {about.get('format_version', 0)}, this program reads {FORMAT_VERSION}")
+            raise FileError(f"{path} has format version {about.get('format_version', 0)}, this program reads {FORMAT_VERSION}; "
+                            f"{_AGAIN} with this version of rollfem, or read it with the version that wrote it "
+                            f"({file['provenance'].attrs['version']})")
         if about.get("complete") != 1:
-            raise FileError(f"{path} is incomplete, because writing it was interrupted; run the case again")
-        return Result.made_of(Node.in_file(file), folder=folder)
+            raise FileError(f"{path} is incomplete, because writing it was interrupted; {_AGAIN}")
+        made = Result.made_of(Node.in_file(file), folder=folder)
+    for model in made.models:
+        for name, values in (item for point in model.points for item in point.fields.items()):
+            if values.shape != (shape := (len(model.y), len(model.x))):
+                raise ValueError(f"{name} has the shape {values.shape} on a grid of {shape}")
+    return made
 
 
 def read_columns(path: str, needed: str) -> tuple[str, dict[str, np.ndarray]]:
@@ -51,25 +61,20 @@ def read_columns(path: str, needed: str) -> tuple[str, dict[str, np.ndarray]]:
 def read_result(path: str) -> Result:
     """Reads a result folder or its results.h5. Raises FileError if it is not complete."""
     file = os.path.join(path, "results.h5") if os.path.isdir(path) else path
-    if not os.path.exists(file):
-        raise FileError(f"there is no {file}: not a result folder of `rollfem run`")
-    if not os.path.isfile(file):  # a device would have no end
-        raise FileError(f"{file} is not a file")
     try:
         sound = results_are_sound(file)
     except OSError as error:
-        raise FileError(f"{file} cannot be read: {error}") from error
-    if not hdf5().is_hdf5(file):
-        raise FileError(f"{file} is not a result of rollfem (no HDF5 file)")
+        why = {errno.ENOENT: "there is no such file", 0: "is not a regular file"}.get(error.errno or 0, f"cannot be read: {error}")
+        raise FileError(f"{file}: {why}; {_WANTED}") from error
+    if not sound and not hdf5().is_hdf5(file):
+        raise FileError(f"{file}: is not a result of rollfem (no HDF5 file); {_WANTED}")
     if not sound:
-        raise FileError(f"{file} is truncated or damaged: its checksum does not match; "
-                        "run the case again, or use a copy")
+        raise FileError(f"{file} is truncated or damaged: its checksum is missing or does not match; {_AGAIN}, or use a copy")
     try:
         return _read_file(file, folder_of(path))
     except FileError:
         raise
     except OSError as error:
-        raise FileError(f"{file} is truncated or damaged: {error}; run the case again") from error
-    except KeyError as error:
-        raise FileError(f"{file} cannot be read as a result of rollfem: {error}; "
-                        "run the case again") from error
+        raise FileError(f"{file} is truncated or damaged: {error}; {_AGAIN}") from error
+    except (KeyError, TypeError, ValueError) as error:
+        raise FileError(f"{file} cannot be read as a result of rollfem: {error}; {_AGAIN}") from error

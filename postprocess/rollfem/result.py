@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The results of a case."""
-import os
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Any
@@ -159,17 +157,6 @@ class Result(Written):
             raise InputError(f"{folder}: this result was read from {self.folder}; do: copy that folder")
         from . import _core
         return _core.write(self._core, folder, report)
-
-    @contextmanager
-    def _stored(self) -> Iterator[str]:
-        """A folder that holds this."""
-        if self._core is None:
-            yield self.folder
-            return
-        import tempfile
-        with tempfile.TemporaryDirectory() as folder:
-            self._store(os.path.join(folder, "result"), False)
-            yield os.path.join(folder, "result")
 
     plot_creep_curve = plot.creep_curves
 

@@ -6,6 +6,13 @@ from numpy.typing import ArrayLike
 from .errors import InputError
 
 
+def von_mises(stress: np.ndarray) -> np.ndarray:
+    """sqrt(3 J2) of stresses [..., 6], the uniaxial stress of the same distortion energy."""
+    xx, yy, zz, xy, yz, xz = np.moveaxis(stress, -1, 0)
+    distortion = 0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * (xy ** 2 + yz ** 2 + xz ** 2)
+    return np.asarray(np.sqrt(distortion))
+
+
 def stress_measures(stress: ArrayLike) -> dict[str, np.ndarray]:
     """Scalars of stresses.
 
@@ -31,8 +38,7 @@ def stress_measures(stress: ArrayLike) -> dict[str, np.ndarray]:
         np.stack([np.stack(row, axis=-1) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))], axis=-2))[..., ::-1]
     return {
         "hydrostatic": (xx + yy + zz) / 3,
-        "von_mises": np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2)
-                             + 3 * (xy ** 2 + yz ** 2 + xz ** 2)),
+        "von_mises": von_mises(components),
         "tresca": principal[..., 0] - principal[..., 2],
         "orthogonal_shear": np.hypot(xz, yz),
         "principal": principal,

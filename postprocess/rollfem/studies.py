@@ -4,9 +4,9 @@ import os
 import re
 import tempfile
 import warnings
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import nullcontext
-from typing import Any, TypeVar
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -15,28 +15,15 @@ from .case import Case, CaseLike, toml_lines
 from .commands.comparing import Compared, begin_comparison, compared_models, comparison_of
 from .commands.levels import Study as Refined
 from .commands.levels import Wishes, study_of
+from .commands.subsurface import Wanted, stored_at, stress_of
 from .errors import InputError
-from .outputs import Comparison, Files, Stress, Study
+from .outputs import Comparison, Stress, Study
 from .result import Result
 from .solving import Models, Told, checked, names_of
-
-Made = TypeVar("Made", bound=Files)
-
 
 def in_python(error: InputError) -> InputError:
     """The same error; options of the command line are keywords here."""
     return type(error)(re.sub(r"--([a-z-]+)", lambda match: match[1].replace("-", "_"), str(error)))
-
-
-def _made(kind: type[Made], command: "Callable[[], _core.Written]") -> Made:
-    """What a command makes, with its warnings."""
-    try:
-        contents, text, said = command()
-    except InputError as error:
-        raise in_python(error) from None
-    for warning in said:
-        warnings.warn(warning, stacklevel=3)
-    return kind(contents, text)
 
 
 def study(case: CaseLike, /, *, model: str | None = None, models: Models = None, vary: str | Sequence[str] = (),
@@ -147,12 +134,22 @@ def stress(result: Result | str | os.PathLike[str], /, *, places: Mapping[str, A
     >>> below.models[0].sets[0]["von_mises"].max()
     """
     points = [int(number) + 1 for number in np.atleast_1d(np.asarray(point_index, dtype=int))]
-    with tempfile.TemporaryDirectory() as here:
-        file = "" if places is None else os.path.join(here, "places") if isinstance(places, Mapping) else os.fspath(places)
+    name = (result.folder or "this result") if isinstance(result, Result) else os.fspath(result)
+    wanted = Wanted(name, names_of(model, models), patch, points, (), "" if places is None or isinstance(places, Mapping)
+                    else os.fspath(places), depth_profile, depth, yield_shear_stress, yield_strength)
+    stored, file = (result, os.path.join(result.folder, "results.h5") if result.folder else name) if isinstance(
+        result, Result) else stored_at(name)
+    try:
         if isinstance(places, Mapping):
-            with open(file, "w", encoding="utf-8") as out:
-                out.write("\n".join(toml_lines({"subsurface": places})))
-
-        with result._stored() if isinstance(result, Result) else nullcontext(os.fspath(result)) as folder:
-            return _made(Stress, lambda: _core.stress(folder, names_of(model, models), patch, points, file, depth_profile,
-                                                      depth, yield_shear_stress, yield_strength))
+            with tempfile.TemporaryDirectory() as here:
+                wanted = replace(wanted, places=os.path.join(here, "places"))
+                with open(wanted.places, "w", encoding="utf-8") as out:
+                    out.write("\n".join(toml_lines({"subsurface": places})))
+                found, said = stress_of(stored, wanted, file)
+        else:
+            found, said = stress_of(stored, wanted, file)
+    except InputError as error:
+        raise in_python(error) from None
+    for warning in said:
+        warnings.warn(warning, stacklevel=2)
+    return found

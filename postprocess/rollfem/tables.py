@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from .errors import FileError
 from .files import regular, results_are_sound
 from .frames import Labelled, OverAxes, Written, documented, html_table, notes
-from .reader import hdf5
+from .node import hdf5
 
 if TYPE_CHECKING:
     from ._core import CreepTable

@@ -43,7 +43,7 @@ ALLOWED = {
             "profiles": ANY, "track": ANY, "postprocess": ANY, "tables": ANY,
             "theories": ANY, "fem": {"elasticity"}},
     "bindings/interface": {"contact": ANY, "postprocess": ANY, "models": ANY},
-    "bindings/python": {"bindings": {"interface"}, "contact": ANY, "halfspace": {"closed_forms"}, "profiles": ANY, "track": ANY, "models": ANY, "postprocess": ANY, "tables": ANY},
+    "bindings/python": {"bindings": {"interface"}, "contact": ANY, "halfspace": {"closed_forms", "stress"}, "profiles": ANY, "track": ANY, "models": ANY, "postprocess": ANY, "tables": ANY},
     "bindings/capi": {"contact": ANY, "track": {"pair"}, "tables": {"files"}},
 }
 # Rooms of a module, each of which may include those before it.
@@ -52,7 +52,7 @@ ROOMS = {
     "fem": ["mesh", "discretisation", "linear", "trace", "stress", "plasticity", "elasticity"],
     "hybrid": ["", "correction"],
     "track": ["placement", "search", "motion", "balance", "pair"],
-    "postprocess": ["files", "hdf5", "write", "read", "stress"],
+    "postprocess": ["files", "hdf5", "write", "read"],
     "models": ["program", "caches", "fem", "choice", "solving", "stress", "", "frame"],
     "tables": ["files", "filling"],
     "app": ["frame", "input", "results", "run", ""],

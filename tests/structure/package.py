@@ -5,11 +5,12 @@ for which it would wait: everything up to `figures`. Imports within functions, o
 import ast
 
 # Each module may import those before it.
-ORDER = ("errors", "files", "frames", "node", "point", "plot", "stresses", "model", "result", "outputs", "reader", "tables",
-         "figures", "_core", "commands", "names", "case", "patches", "solving", "studies", "sweeping", "track", "wear",
-         "reading", "api", "__main__")
+ORDER = ("errors", "files", "frames", "stresses", "shakedown", "node", "point", "plot", "model", "result", "outputs", "reader",
+         "tables", "figures", "_core", "commands", "names", "case", "solving", "studies", "sweeping", "track", "wear", "reading",
+         "api", "__main__")
 FIGURES = ("labels", "styles", "panel", "figure", "outline", "published", "page", "load_points", "tables", "stresses", "curves",
            "profiles", "stress_page", "maps", "yielding", "positions", "report", "table", "study", "compare", "catalogue")
+COMMANDS = ("convergence", "refinement", "levels", "comparing", "benching", "subsurface", "line")
 
 
 def imported(text):
@@ -24,7 +25,7 @@ def problems(root):
     assert list(imported("from . import a, b\nfrom ..c.d import e\ndef f():\n    from .g import h\n")) == [
         (1, "a"), (1, "b"), (2, "c")]
     package = root / "postprocess/rollfem"
-    for folder, order in ((package, ORDER), (package / "figures", FIGURES)):
+    for folder, order in ((package, ORDER), (package / "figures", FIGURES), (package / "commands", COMMANDS)):
         for path in sorted(folder.glob("*.py")):
             name, where = path.stem, path.relative_to(root)
             if name == "__init__":
@@ -34,6 +35,6 @@ def problems(root):
                 continue
             for level, other in imported(path.read_text(encoding="utf-8")):
                 inside = level == 1
-                allowed = order[:order.index(name)] if inside else ORDER[:ORDER.index("figures")]
+                allowed = order[:order.index(name)] if inside else ORDER[:ORDER.index(folder.name)]
                 if other not in allowed:
                     yield f"{where}: imports {other}; allowed: {', '.join(allowed)}; do: import it on first use, or move it"

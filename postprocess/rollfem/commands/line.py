@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands study, compare and bench, as the program hands them over (app/results/package.cpp): options by their long
+"""The commands study, compare, bench and stress, as the program hands them over (app/results/package.cpp): options by their long
 names, as texts."""
 import gc
 import json
@@ -14,7 +14,7 @@ from typing import Any
 from .. import _core
 from ..errors import InputError, OutputError, SolveError
 from ..files import json_is_sound, regular
-from ..figures.catalogue import build
+from ..figures.catalogue import build, draw
 from ..model import ModelResult
 from ..outputs import Files
 from ..reader import read_result
@@ -23,6 +23,7 @@ from . import comparing
 from .benching import bench as measured
 from .comparing import begin_comparison, compared_models, comparison_of
 from .levels import Study, Wishes, known, study_of
+from .subsurface import Wanted, stored_at, stress_of
 
 Given = Mapping[str, Any]
 
@@ -309,7 +310,55 @@ def bench(given: Given) -> bool:
     return True
 
 
-COMMANDS: dict[str, Callable[[Given], bool]] = {"study": study, "compare": compare, "bench": bench}
+def _wanted(given: Given) -> Wanted:
+    """What a call of `rollfem stress` wants."""
+    numbers = {name: float(given[name][0]) if name in given else None for name in ("depth", "yield-shear-stress", "yield-strength")}
+    return Wanted(given["result"][0], given.get("model", ()), given.get("patch", [""])[0], [int(each) for each in given.get("point", ())],
+                  [float(each) for each in given.get("creepage", ())], given.get("places", [""])[0], "depth-profile" in given,
+                  *numbers.values())
+
+
+def _remove_figures(folder: str) -> None:
+    """Removes page and figures of an earlier call of `rollfem stress`, which this call may not draw again."""
+    figures = os.path.join(folder, "figures")
+    ours = ("depth_", "line_", "surface_", "plane_", "shakedown_map")
+    drawn = [os.path.join(figures, name) for name in os.listdir(figures) if name.startswith(ours) and name.endswith(".svg")
+             ] if os.path.isdir(figures) else []
+    for path in (os.path.join(folder, "stress.html"), *drawn):
+        if os.path.exists(path):
+            os.remove(path)
+
+
+def stress(given: Given) -> bool:
+    """`rollfem stress`; whether all is drawn that was wanted."""
+    result, file = stored_at(given["result"][0])
+    found, warnings = stress_of(result, _wanted(given), file)
+    for each in warnings:
+        warn(each)
+    if "json" in given:
+        tell(found.contents["stress.json"])
+        if "output" not in given:
+            return True
+    parent = os.path.dirname(file) or "."
+    folder = os.path.normpath(given["output"][0] if "output" in given
+                              else os.path.join(parent, "..", os.path.basename(os.path.realpath(parent)) + "_stress"))
+    earlier = os.path.exists(os.path.join(folder, "stress.json"))
+    _core.write_files(folder, found.contents)
+    if earlier:
+        _remove_figures(folder)
+    wanted, drawn = "no-figures" not in given, False
+    if wanted:
+        try:
+            draw(found, folder)
+            drawn = True
+        except OSError as error:
+            warn(f"stresses are written, but figures were not drawn: {error}")
+    if "json" not in given and "quiet" not in given:
+        tell(f"{found.text}\nstresses: {folder} (stress.csv, stress.json{', stress.html, figures' * drawn})\n")
+    return drawn or not wanted
+
+
+COMMANDS: dict[str, Callable[[Given], bool]] = {"study": study, "compare": compare, "bench": bench, "stress": stress}
 
 
 def _carried_out(command: str, given: Given) -> tuple[int, str]:

@@ -5,6 +5,7 @@ of page.write_page) and PAGE (its file); of a table NAME.csv with `of_table`."""
 import importlib
 import os
 from types import ModuleType
+from typing import Any
 
 from ..errors import FileError
 from ..files import read_rows
@@ -24,6 +25,12 @@ def _module(name):
 def drawing(kind: str) -> ModuleType:
     """The module that draws a kind of folder."""
     return _module(MODULES[kind])
+
+
+def draw(thing: Any, folder: str) -> None:
+    """Draws the figures and the page of an object of the package to a folder."""
+    module = drawing(thing.kind)
+    _module("page").draw(module, module.of(thing), folder)
 
 
 def build(path: str) -> None:

@@ -79,10 +79,15 @@ def _do_task(number):
 def build(module, path, **how):
     """Draws what lies at a path to figures/ and writes its page, by a module (catalogue); returns what was read and the
     figures for which there is data (Drawn)."""
-    found, folder = module.read(path, **how), folder_of(path)
+    found = module.read(path, **how)
+    return found, draw(module, found, folder_of(path))
+
+
+def draw(module, found, folder):
+    """Draws what a module has read or been given; returns the figures (Drawn)."""
     drawn = draw_all(module.captioned(found), folder)
     write_page(os.path.join(folder, module.PAGE), *module.page(found, drawn))
-    return found, drawn
+    return drawn
 
 
 def section(heading, *parts):

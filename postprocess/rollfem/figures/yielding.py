@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Bodies that yield, pass after pass: plastic strain of the passes, residual stress, the section behind the load, groove and
 forward flow, the passes in the shakedown map, and their table."""
-import json
 import math
-import os
 from html import escape
 
 import numpy as np
 
+from ..shakedown import Ellipse, boundaries
 from . import load_points, stresses, styles
 from .figure import Figure
 from .outline import colour_scale, filled
@@ -154,15 +153,6 @@ def groove(model, body):
     return figure
 
 
-def _boundaries(ratio):
-    """Boundaries of the shakedown map (StressResult) with the limit of an ellipse b/a, from those of `rollfem stress`."""
-    with open(os.path.join(os.path.dirname(__file__), "shakedown.json"), encoding="utf-8") as file:
-        known = json.load(file)
-    at = np.log(known["ellipse_ratio"])
-    limits = [np.interp(math.log(ratio), at, column) for column in np.transpose(known["ellipse_shakedown"])]
-    return {**known, "ellipse_ratio": ratio, "ellipse_shakedown": limits}
-
-
 def shakedown_map(result):
     """The passes in the shakedown map. None if nothing yields."""
     found = [(model, body, k) for model, body in bodies(result)
@@ -171,11 +161,11 @@ def shakedown_map(result):
         return None
     point = found[0][0].points[-1]
     figure = Figure(1)
-    ratio = min(50.0, max(0.1, point["semi_axis_y"] / point["semi_axis_x"])) if point["semi_axis_x"] else 1.0
+    ratio = point["semi_axis_y"] / point["semi_axis_x"] if point["semi_axis_x"] else 1.0
     curves = [(body, [(p.number + 1, p.tangential_coefficient, p["max_pressure"] / k) for p in model.points])
               for model, body, k in found]
     title = "yield stress in shear " + ", ".join(f"$k$ = {k:.4g} MPa ({body})" for _, body, k in found)
-    panel = stresses.shakedown_panel(figure, title, _boundaries(ratio), [p[2] for _, curve in curves for p in curve])
+    panel = stresses.shakedown_panel(figure, title, boundaries(Ellipse(ratio)), [p[2] for _, curve in curves for p in curve])
     for (body, curve), (colour, marker) in zip(curves, (("red", "s"), ("violet", "o"))):
         panel.spots([p[1:] for p in curve], True, colour=colour, width=1, marker=marker, hollow=True, order=4,
                     name=f"passes over the {body} (filled: the last)")

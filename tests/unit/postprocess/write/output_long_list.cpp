@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Long lists of load points store fields on the contact grid for a selection only.
-#include "postprocess/read/results_reader.hpp"
 #include "postprocess/write/output.hpp"
 
+#include "support/output_python.hpp"
 #include "support/output_synthetic_run.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -10,6 +10,8 @@ namespace fs = std::filesystem;
 
 namespace rollfem::postprocess {
 TEST(GridFields, ALongListKeepsTheFieldsOfSomeOfItsLoadPoints) {
+  if (!python_can_import("h5py"))
+    GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
   const TemporaryFolder folder;
   RunRecord run = synthetic_run();
   run.models = {synthetic_model("halfspace", {}, 12, 12, {0.0, 0.001, 0.002, 0.003})};
@@ -18,13 +20,15 @@ TEST(GridFields, ALongListKeepsTheFieldsOfSomeOfItsLoadPoints) {
     run.input.output.grid_fields = which;
     run.models[0].points.resize(count);
     write_results((fs::path(folder.path()) / "long").string(), run);
-    const ResultsFile read((fs::path(folder.path()) / "long").string());
-    const contact::ModelResult found = read.read(read.models()[0]);
+    std::istringstream printed(python(R"(
+import sys, h5py
+points = h5py.File(sys.argv[1] + '/results.h5')['models/halfspace/points']
+assert len({point.attrs['max_pressure'] for point in points.values()}) == 1
+print(*(k for k, name in enumerate(sorted(points)) if 'pressure' in points[name]))
+)",
+                                      folder.path("long")));
     std::vector<std::size_t> numbers;
-    for (std::size_t k = 0; k < found.points.size(); ++k) {
-      EXPECT_EQ(found.points[k].max_pressure, run.models[0].points[k].max_pressure) << k;
-      if (found.points[k].fields.traction.n.size() > 0) numbers.push_back(k);
-    }
+    for (std::size_t k = 0; printed >> k;) numbers.push_back(k);
     std::size_t files = 0;  // one for each, the last once more, and the series
     if (fs::exists(fs::path(folder.path()) / "long/fields"))
       for ([[maybe_unused]] const auto& entry :

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Interpolation in stored hexahedra: fields that the cells hold exactly come out exactly, also in
 // skew cells of different size; places outside are moved or refused.
-#include "postprocess/read/body_sampler.hpp"
+#include "models/stress/body_sampler.hpp"
 
 #include "contact/base/errors.hpp"
 
 #include "support/temporary_folder.hpp"
 
-namespace rollfem::postprocess {
+namespace rollfem::modelling {
 namespace {
 
 /// A block of nx by ny by nz cells over [-3, 3] x [-2, 2] x [-4, 0]: `bend` maps the places.
@@ -159,4 +159,4 @@ TEST(BodySampler, ABodyWithoutStressIsRefused) {
 }
 
 }  // namespace
-}  // namespace rollfem::postprocess
+}  // namespace rollfem::modelling

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "postprocess/read/body_sampler.hpp"
+#include "models/stress/body_sampler.hpp"
 
 #include "contact/base/errors.hpp"
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace rollfem::postprocess {
+namespace rollfem::modelling {
 namespace {
 
 constexpr int leaf_size = 8;
@@ -52,6 +52,12 @@ BodySampler::BodySampler(const contact::BodyField& body) : body_(body) {
       body.displacement.size() != body.points.size())
     throw contact::InputError(fmt::format(
         "the {} is stored without displacement and stress; do: run the case again", body.name));
+  for (const auto& cell : body.cells)
+    for (const int node : cell)
+      if (node < 0 || node >= static_cast<int>(body.points.size()))
+        throw contact::InputError(
+            fmt::format("a cell of the {} names node {} of {}; do: run the case again", body.name,
+                        node, body.points.size()));
   order_.resize(body.cells.size());
   std::iota(order_.begin(), order_.end(), 0);
   tree_.reserve(body.cells.size());
@@ -203,4 +209,4 @@ BodySample BodySampler::at(const Place& place) const {
   return sample;
 }
 
-}  // namespace rollfem::postprocess
+}  // namespace rollfem::modelling
