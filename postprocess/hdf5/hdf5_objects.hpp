@@ -6,7 +6,6 @@
 #include <hdf5.h>
 
 #include <array>
-#include <map>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -129,17 +128,11 @@ File open_file(const std::string& path);
 /// Whether an object has a member (a group, a dataset), or an attribute, of that name.
 bool has_member(hid_t group, const std::string& name);
 bool has_attribute(hid_t object, const std::string& name);
-/// Names of the members of a group, sorted.
-std::vector<std::string> members(hid_t group);
 Handle open_group(hid_t parent, const std::string& name);
 
 /// Attributes; std::runtime_error if one is missing or has another type.
 double read_number(hid_t object, const std::string& name);
 std::string read_text(hid_t object, const std::string& name);
-/// All numeric attributes.
-std::map<std::string, double> read_numbers(hid_t object);
-/// All text attributes, by name.
-std::map<std::string, std::string> read_texts(hid_t object);
 
 /// A dataset of numbers with its shape; integers are converted.
 struct Numbers {
@@ -148,8 +141,8 @@ struct Numbers {
 };
 Numbers read_dataset(hid_t parent, const std::string& name);
 /// A dataset [n, N]; std::runtime_error if it has another shape.
-template <std::size_t N, class Number = double>
-std::vector<std::array<Number, N>> read_rows(hid_t parent, const std::string& name);
+template <std::size_t N>
+std::vector<std::array<double, N>> read_rows(hid_t parent, const std::string& name);
 /// A dataset of texts; a single text is one line.
 std::vector<std::string> read_lines(hid_t parent, const std::string& name);
 

@@ -68,27 +68,6 @@ Content open_dataset(hid_t parent, const std::string& name) {
   return {std::move(dataset), std::move(type), std::move(space)};
 }
 
-/// Keeps the name of a link or an attribute.
-template <class Info>
-herr_t keep_name(hid_t /*parent*/, const char* name, const Info* /*info*/, void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-  return 0;
-}
-
-/// The attributes that are numbers, or all others, as `read` reads them.
-template <class Value>
-std::map<std::string, Value> read_attributes(hid_t object, bool numbers,
-                                             Value (*read)(hid_t, const std::string&)) {
-  std::vector<std::string> names;
-  hsize_t at = 0;
-  if (H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &at, keep_name<H5A_info_t>, &names) < 0)
-    fail("there is no readable", "list of attributes");
-  std::map<std::string, Value> found;
-  for (const std::string& name : names)
-    if (is_number(open_attribute(object, name).type) == numbers) found[name] = read(object, name);
-  return found;
-}
-
 }  // namespace
 
 File open_file(const std::string& path) {
@@ -104,14 +83,6 @@ bool has_member(hid_t group, const std::string& name) {
 
 bool has_attribute(hid_t object, const std::string& name) {
   return H5Aexists(object, name.c_str()) > 0;
-}
-
-std::vector<std::string> members(hid_t group) {
-  std::vector<std::string> names;
-  hsize_t at = 0;
-  if (H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &at, keep_name<H5L_info_t>, &names) < 0)
-    fail("there is no readable", "list of members");
-  return names;
 }
 
 Handle open_group(hid_t parent, const std::string& name) {
@@ -138,14 +109,6 @@ std::string read_text(hid_t object, const std::string& name) {
   return lines.front();
 }
 
-std::map<std::string, std::string> read_texts(hid_t object) {
-  return read_attributes(object, false, read_text);
-}
-
-std::map<std::string, double> read_numbers(hid_t object) {
-  return read_attributes(object, true, read_number);
-}
-
 Numbers read_dataset(hid_t parent, const std::string& name) {
   const Content dataset = open_dataset(parent, name);
   if (!is_number(dataset.type)) fail("no numbers in dataset", name);
@@ -155,21 +118,18 @@ Numbers read_dataset(hid_t parent, const std::string& name) {
   return numbers;
 }
 
-template <std::size_t N, class Number>
-std::vector<std::array<Number, N>> read_rows(hid_t parent, const std::string& name) {
+template <std::size_t N>
+std::vector<std::array<double, N>> read_rows(hid_t parent, const std::string& name) {
   const Numbers numbers = read_dataset(parent, name);
   if (numbers.shape.size() != 2 || numbers.shape[1] != N)
     fail(fmt::format("not {} numbers in a row: dataset", N), name);
-  std::vector<std::array<Number, N>> rows(numbers.shape[0]);
+  std::vector<std::array<double, N>> rows(numbers.shape[0]);
   for (std::size_t k = 0; k < rows.size(); ++k)
-    for (std::size_t c = 0; c < N; ++c) rows[k][c] = static_cast<Number>(numbers.values[N * k + c]);
+    for (std::size_t c = 0; c < N; ++c) rows[k][c] = numbers.values[N * k + c];
   return rows;
 }
 
 template std::vector<std::array<double, 3>> read_rows(hid_t, const std::string&);
-template std::vector<std::array<double, 8>> read_rows(hid_t, const std::string&);
-template std::vector<std::array<float, 3>> read_rows(hid_t, const std::string&);
-template std::vector<std::array<float, 6>> read_rows(hid_t, const std::string&);
 
 std::vector<std::string> read_lines(hid_t parent, const std::string& name) {
   const Content dataset = open_dataset(parent, name);

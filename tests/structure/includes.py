@@ -52,7 +52,7 @@ ROOMS = {
     "fem": ["mesh", "discretisation", "linear", "trace", "stress", "plasticity", "elasticity"],
     "hybrid": ["", "correction"],
     "track": ["placement", "search", "motion", "balance", "pair"],
-    "postprocess": ["files", "hdf5", "write", "read"],
+    "postprocess": ["files", "hdf5", "write"],
     "models": ["program", "caches", "fem", "choice", "solving", "stress", "", "frame"],
     "tables": ["files", "filling"],
     "app": ["frame", "input", "results", "run", ""],
