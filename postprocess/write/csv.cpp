@@ -187,14 +187,6 @@ const Columns<Below>& below_columns() {
 
 }  // namespace
 
-std::string subsurface_columns() {
-  return below_columns().head();
-}
-
-std::string subsurface_row(const contact::SubsurfaceField& field, std::size_t k) {
-  return below_columns().line({&field, k});
-}
-
 std::string subsurface_csv(const RunRecord& run) {
   using InSet = std::pair<std::size_t, Below>;
   Columns<InSet> columns;

@@ -29,11 +29,6 @@ std::string path_csv(const RunRecord& run, Path path);
 /// empty without requests. Planes are only in results.h5.
 std::string subsurface_csv(const RunRecord& run);
 
-/// The columns of place, displacement and stress of a point below the surface, with units, and the
-/// values of point k; distance is relative to the first point of the set.
-std::string subsurface_columns();
-std::string subsurface_row(const contact::SubsurfaceField& field, std::size_t k);
-
 /// Place of every patch on track and profiles with its main results: one row per patch, model and
 /// load point. Empty without profiles.
 std::string contacts_csv(const RunRecord& run);

@@ -12,19 +12,6 @@ namespace rollfem::postprocess {
 
 using nlohmann::ordered_json;
 
-ordered_json json_head(int format, const std::string& kind, const Provenance& provenance) {
-  ordered_json json;
-  json["format"] = format;
-  json["kind"] = kind;
-  json["program"] = {{"version", provenance.version}, {"commit", provenance.commit}};
-  json["host"] = provenance.host;
-  json["started"] = provenance.started;
-  json["command"] = provenance.command;
-  json["processes"] = provenance.processes;
-  json["labels"] = provenance.labels;
-  return json;
-}
-
 ordered_json place_json(const contact::ContactPlace& place) {
   return {{"wheel", place.side()}, {"position", place.position}, {"patch", place.patch}};
 }

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What JSON files have in common: the kind of file and its provenance, headings, places, trees.
+// What JSON files have in common: places, trees, the checksum.
 #pragma once
 
-#include "contact/result/quantities.hpp"
 #include "postprocess/write/contents.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
-#include <vector>
 
 namespace rollfem::postprocess {
-
-/// Keys format, kind, program, host, started, command, processes.
-nlohmann::ordered_json json_head(int format, const std::string& kind, const Provenance& provenance);
 
 /// Wheel, position and patch.
 nlohmann::ordered_json place_json(const contact::ContactPlace& place);
