@@ -154,7 +154,8 @@ class Point(Named):
                            ] if "subsurface" in parts else []
         self.stress_maxima = node.rows("stress_maxima")
         self.yielded = {body: _section(part) for body, part in parts["yielded"].parts.items()} if "yielded" in parts else {}
-        self.bodies = Bodies(bodies, parts["bodies"]) if bodies is not None and "bodies" in parts else {}
+        none: Mapping[str, dict[str, np.ndarray]] = {}
+        self.bodies = none if bodies is None or "bodies" not in parts else Bodies(bodies, parts["bodies"])
         self.number, self.by_number, self.place = number, by_number, place
 
     def __getitem__(self, name: str) -> Any:

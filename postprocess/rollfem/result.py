@@ -67,7 +67,7 @@ class Result(Written):
                    provenance=root.parts["provenance"].attributes, inputs={**keys.attributes, **keys.entries},
                    friction_law=case.entries.get("friction_law"),
                    quantities={name: Quantity(*row) for name, *row in zip(*columns)},
-                   profiles={(pair.attributes["wheel"], pair.attributes["position"]): pair.entries for pair in pairs}, **others)
+                   profiles={(pair.attributes["wheel"], pair.attributes["position"]): dict(pair.entries) for pair in pairs}, **others)
         models = sorted(root.parts["models"].parts.items(), key=lambda item: int(item[1].attributes["order"]))
         by_number = "load point" if made.inputs.get("rolling.problem") in ("shift", "transient") or made.prescribed_forces else ""
         if any("yielded" in point.parts for _, model in models for point in model.parts["points"].parts.values()):
