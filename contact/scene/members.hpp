@@ -15,11 +15,9 @@
 // and Python walk along this list.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 
 namespace rollfem::contact {
 
@@ -77,24 +75,6 @@ template <class Whole, class Visit>
 void for_members(Whole& whole, const Visit& visit) {
   for_members<std::remove_const_t<Whole>>(
       [&](const auto& each) { visit(each, std::invoke(each.part, whole)); });
-}
-
-/// Whether the list, in the order of the declarations, fills the struct: none is forgotten.
-template <class Whole>
-constexpr bool lists_all_members() {
-  std::size_t end = 0;
-  const auto follow = [&](std::size_t size, std::size_t alignment) {
-    end = (end + alignment - 1) / alignment * alignment + size;
-  };
-  const auto add = [&](const auto& each) {
-    if constexpr (std::is_member_object_pointer_v<decltype(each.part)>) {
-      using Part = std::remove_reference_t<decltype(std::declval<Whole&>().*each.part)>;
-      follow(sizeof(Part), alignof(Part));
-    }
-  };
-  std::apply([&](const auto&... each) { (add(each), ...); }, Whole::members());
-  follow(0, alignof(Whole));
-  return end == sizeof(Whole);
 }
 
 }  // namespace rollfem::contact
