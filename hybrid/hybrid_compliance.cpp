@@ -19,12 +19,10 @@ void add(SurfaceField& field, const SurfaceField& more) {
 
 HybridCompliance::HybridCompliance(const contact::Scene& scene,
                                    const contact::ChartedGeometry& geometry,
-                                   const contact::ContactGrid& grid,
-                                   const halfspace::SmoothParts& parts)
+                                   const contact::ContactGrid& grid, const SmoothParts& parts)
     : half_(grid, scene.material) {
-  if (!parts.wheel.empty())
-    wheel_ = std::make_unique<halfspace::SmoothMapOnGrid>(parts.wheel, grid);
-  if (!parts.rail.empty()) rail_ = std::make_unique<halfspace::SmoothMapOnGrid>(parts.rail, grid);
+  if (!parts.wheel.empty()) wheel_ = std::make_unique<SmoothMapOnGrid>(parts.wheel, grid);
+  if (!parts.rail.empty()) rail_ = std::make_unique<SmoothMapOnGrid>(parts.rail, grid);
   const contact::ContactSurface& surface = scene.geometry.surface;
   const auto along = [&](auto&& value) {
     return grid.sample([&](double, double s) { return value(geometry.lateral_place(s)); });

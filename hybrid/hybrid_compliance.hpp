@@ -7,7 +7,7 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/scene/scene.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
-#include "halfspace/elasticity/smooth_map.hpp"
+#include "hybrid/smooth_map.hpp"
 
 #include <memory>
 #include <optional>
@@ -17,7 +17,7 @@ namespace rollfem::hybrid {
 class HybridCompliance : public contact::Compliance {
  public:
   HybridCompliance(const contact::Scene& scene, const contact::ChartedGeometry& geometry,
-                   const contact::ContactGrid& grid, const halfspace::SmoothParts& parts);
+                   const contact::ContactGrid& grid, const SmoothParts& parts);
   const contact::ContactGrid& grid() const override { return half_.grid(); }
   contact::SurfaceField apply(const contact::SurfaceField& traction) const override;
   /// With the curvature slip of the wheel.
@@ -31,8 +31,8 @@ class HybridCompliance : public contact::Compliance {
     contact::CurvatureSlip curvature_slip;
   };
   std::unique_ptr<Turning> turning_wheel_, turning_rail_;
-  std::unique_ptr<halfspace::SmoothMapOnGrid> wheel_;
-  std::unique_ptr<halfspace::SmoothMapOnGrid> rail_;
+  std::unique_ptr<SmoothMapOnGrid> wheel_;
+  std::unique_ptr<SmoothMapOnGrid> rail_;
 };
 
 }  // namespace rollfem::hybrid

@@ -37,15 +37,15 @@ constexpr int elements_of_difference = 10;
 class HybridElasticity : public halfspace::PreconditionedElasticity {
  public:
   HybridElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
-                   const ContactGrid& grid, const halfspace::SmoothParts& parts)
+                   const ContactGrid& grid, const SmoothParts& parts)
       : PreconditionedElasticity(scene, grid,
                                  std::make_unique<HybridCompliance>(scene, geometry, grid, parts)),
         scene_(scene),
         parts_(parts) {}
 
   void check_patch(const contact::PatchSize& patch) const override {
-    for (const halfspace::SmoothMap* map : {&parts_.wheel, &parts_.rail}) {
-      const halfspace::SmoothBox& box = map->fields;
+    for (const SmoothMap* map : {&parts_.wheel, &parts_.rail}) {
+      const SmoothBox& box = map->fields;
       if (map->empty() ||
           (std::max(-patch.x_lower, patch.x_upper) <= box.half_length &&
            std::max(box.middle - patch.y_lower, patch.y_upper - box.middle) <= box.half_width))
@@ -62,10 +62,10 @@ class HybridElasticity : public halfspace::PreconditionedElasticity {
 
  private:
   const Scene& scene_;
-  const halfspace::SmoothParts& parts_;
+  const SmoothParts& parts_;
 };
 
-halfspace::GridElasticity elasticity_of(const halfspace::SmoothParts& parts) {
+halfspace::GridElasticity elasticity_of(const SmoothParts& parts) {
   halfspace::GridElasticity elasticity;
   elasticity.model = "hybrid";
   elasticity.independent_points = false;
@@ -131,7 +131,7 @@ ModelResult run_hybrid(const Scene& scene, const contact::Progress& progress,
   curved.follows_surface = 1.0;
   // Cells that no grid takes are refused before the finite elements begin.
   static_cast<void>(halfspace::PatchSearch(curved).grid(0));
-  const halfspace::SmoothParts parts = find(curved, progress);
+  const SmoothParts parts = find(curved, progress);
   const double seconds = watch.seconds();
   halfspace::GridElasticity elasticity = elasticity_of(parts);
   const halfspace::GridElasticity without_stress = elasticity;

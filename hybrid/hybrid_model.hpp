@@ -6,7 +6,7 @@
 
 #include "contact/base/checkpoint.hpp"
 #include "contact/solve/model.hpp"
-#include "halfspace/elasticity/smooth_map.hpp"
+#include "hybrid/smooth_map.hpp"
 
 #include <functional>
 
@@ -14,8 +14,7 @@ namespace rollfem::hybrid {
 
 /// Finds the correction for the bodies of a scene by finite elements
 /// (hybrid/correction/smooth_parts.hpp).
-using FindParts =
-    std::function<halfspace::SmoothParts(const contact::Scene&, const contact::Progress&)>;
+using FindParts = std::function<SmoothParts(const contact::Scene&, const contact::Progress&)>;
 
 /// As run_halfspace, on the common surface of the bodies. Error estimates cover the discretisation
 /// error of the grid and a tenth of the change by the correction. Throws contact::InputError where

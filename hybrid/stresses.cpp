@@ -5,7 +5,6 @@
 #include "contact/result/stress_extremes.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "halfspace/model/halfspace_model.hpp"
-#include "halfspace/stress/smooth_stress.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
@@ -22,7 +21,6 @@ using contact::BelowSurface;
 using contact::SubsurfaceField;
 using contact::SubsurfaceRequest;
 using halfspace::Body;
-using halfspace::SmoothStressOnGrid;
 using halfspace::SubsurfacePoint;
 using halfspace::SubsurfaceState;
 
@@ -38,7 +36,7 @@ void turn(const contact::Axes& axes, SubsurfaceState& state) {
   state.displacement = contact::out_of_axes(axes, state.displacement);
 }
 
-std::optional<SmoothStressOnGrid> beyond_of(const halfspace::SmoothDepthMap& map,
+std::optional<SmoothStressOnGrid> beyond_of(const SmoothDepthMap& map,
                                             const contact::ContactGrid& grid,
                                             const contact::SurfaceField& traction) {
   if (map.empty()) return {};
@@ -73,7 +71,7 @@ struct Stresses::Lists {
   std::vector<contact::Axes> axes;
 };
 
-Stresses::Stresses(const contact::Scene& scene, const halfspace::SmoothParts& parts)
+Stresses::Stresses(const contact::Scene& scene, const SmoothParts& parts)
     : scene_(scene),
       parts_(parts),
       geometry_(following(scene), contact::Chart::arc),
@@ -118,7 +116,7 @@ Stresses::Lists Stresses::lists(const SubsurfaceRequest& request, std::size_t nu
 Stresses::Bodies Stresses::bodies(const contact::ContactGrid& grid,
                                   const contact::SurfaceField& traction) const {
   const auto body = [&](Body which, const contact::Material& material,
-                        const halfspace::SmoothDepthMap& map) -> CorrectedBody {
+                        const SmoothDepthMap& map) -> CorrectedBody {
     return {{which, material, grid, traction}, beyond_of(map, grid, traction)};
   };
   return {body(Body::wheel, scene_.wheel.material, parts_.wheel_below),

@@ -5,7 +5,7 @@
 
 #include "contact/result/result.hpp"
 #include "contact/scene/below_surface.hpp"
-#include "halfspace/elasticity/smooth_map.hpp"
+#include "hybrid/smooth_map.hpp"
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ class Stresses {
  public:
   /// Stresses requested by the scene. Both arguments must outlive this object; the subsurface parts
   /// are empty for bodies that are half-spaces.
-  Stresses(const contact::Scene& scene, const halfspace::SmoothParts& parts);
+  Stresses(const contact::Scene& scene, const SmoothParts& parts);
 
   /// `subsurface` and `stress_maxima` of a load point solved on the grid; the latter at rolled-out
   /// positions (x, arc length, depth, positive in the wheel). Throws contact::InputError for points
@@ -44,7 +44,7 @@ class Stresses {
                                  const CorrectedBody& body) const;
 
   const contact::Scene& scene_;
-  const halfspace::SmoothParts& parts_;
+  const SmoothParts& parts_;
   contact::ChartedGeometry geometry_;
   contact::BelowSurface wheel_, rail_;
   double reach_;  ///< mm

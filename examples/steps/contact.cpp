@@ -7,7 +7,7 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
-#include "halfspace/patch/correction_scene.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <cmath>
 #include <cstdio>

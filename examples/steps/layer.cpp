@@ -5,7 +5,7 @@
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/elasticity/fft.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
-#include "halfspace/patch/correction_scene.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -6,10 +6,13 @@
 #include "contact/base/checkpoint.hpp"
 #include "contact/solve/model.hpp"
 #include "fem/elasticity/mesh_report.hpp"
-#include "halfspace/elasticity/smooth_map.hpp"
 
 #include <string>
 #include <vector>
+
+namespace rollfem::hybrid {
+struct SmoothParts;
+}
 
 namespace rollfem::fem {
 
@@ -39,7 +42,7 @@ struct Entry {
   std::vector<MeshedBody> (*mesh)(const contact::Scene&);
   /// By this process alone: corrections of bodies to half-spaces
   /// (hybrid/correction/smooth_parts.hpp).
-  halfspace::SmoothParts (*find_smooth_parts)(const contact::Scene&, const contact::Progress&);
+  hybrid::SmoothParts (*find_smooth_parts)(const contact::Scene&, const contact::Progress&);
   About (*about)();  ///< without MPI started
 };
 

@@ -7,7 +7,7 @@
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/halfspace_model.hpp"
-#include "halfspace/patch/correction_scene.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
 

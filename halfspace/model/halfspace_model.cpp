@@ -17,7 +17,6 @@
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/step_errors.hpp"
-#include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/patch/coverage.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "halfspace/stress/stress_maxima.hpp"

@@ -5,7 +5,7 @@
 #include "contact/base/pi.hpp"
 #include "contact/solve/side_by_side.hpp"
 #include "halfspace/model/halfspace_model.hpp"
-#include "halfspace/patch/correction_scene.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
 

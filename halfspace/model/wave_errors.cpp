@@ -7,7 +7,7 @@
 #include "contact/result/patch_size.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
-#include "halfspace/patch/correction_scene.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
 

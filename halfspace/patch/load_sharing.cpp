@@ -11,7 +11,7 @@
 #include "contact/solve/standin.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
-#include "halfspace/patch/correction_scene.hpp"
+#include "halfspace/patch/patch_search.hpp"
 #include "halfspace/patch/ridge.hpp"
 
 #include <fmt/format.h>

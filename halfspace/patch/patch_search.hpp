@@ -102,4 +102,10 @@ class PatchSearch {
 /// patch ends between y_lower and y_upper, mm.
 void check_profiles_reach(const contact::Scene& scene, double y_lower, double y_upper);
 
+// Surface of a contact grid of half-spaces: the plane of the patch or the common surface.
+
+/// The scene for the position of the model's contact grid. Throws contact::InputError if the common
+/// surface is requested but unknown.
+contact::ChartedGeometry halfspace_geometry(const contact::Scene& scene);
+
 }  // namespace rollfem::halfspace

@@ -5,7 +5,6 @@
 #include "contact/base/pi.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "fem/discretisation/cell_terms.hpp"
-#include "halfspace/stress/smooth_stress.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -24,7 +23,7 @@ using halfspace::SubsurfacePoint;
 
 namespace {
 
-constexpr int components = halfspace::smooth_components;
+constexpr int components = smooth_components;
 constexpr int depth_degree = 6;
 
 /// Largest rounding distance between a node of the twin and the rolled-out node of the body, mm.
@@ -96,7 +95,7 @@ MatrixXd GaussStates::at(const Vector& displacement) const {
 }
 
 BelowParts::BelowParts(const BelowSurface& coordinates, const Body& body, const Body& twin,
-                       const FlatLoads& loads, const halfspace::SmoothBox& box, double depth)
+                       const FlatLoads& loads, const SmoothBox& box, double depth)
     : coordinates_(coordinates),
       loads_(loads),
       box_(box),
@@ -200,15 +199,14 @@ void BelowParts::add_half_space() {
 }
 
 void BelowParts::prepare_fit() {
-  const Index terms = halfspace::depth_polynomial_count(depth_degree);
+  const Index terms = depth_polynomial_count(depth_degree);
   MatrixXd own(static_cast<Index>(rows_.size()), terms);
   MatrixXd image = MatrixXd::Zero(own.rows(), terms);
   for (Index k = 0; k < own.rows(); ++k) {
     const auto& at = at_[static_cast<std::size_t>(k)];
-    own.row(k) = halfspace::depth_polynomials(box_, depth_, depth_degree, {at.x, at.y, at.depth});
+    own.row(k) = depth_polynomials(box_, depth_, depth_degree, {at.x, at.y, at.depth});
     if (half_)
-      image.row(k) =
-          halfspace::depth_polynomials(box_, depth_, depth_degree, {at.x, -at.y, at.depth});
+      image.row(k) = depth_polynomials(box_, depth_, depth_degree, {at.x, -at.y, at.depth});
   }
   if (own.rows() < 2 * terms)
     throw contact::SolveError("there are too few cells in the patch to find stresses below it");

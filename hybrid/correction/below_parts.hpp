@@ -8,9 +8,9 @@
 
 #include "contact/scene/below_surface.hpp"
 #include "fem/discretisation/body.hpp"
-#include "halfspace/elasticity/smooth_map.hpp"
 #include "halfspace/stress/cell_stress.hpp"
 #include "halfspace/stress/subsurface.hpp"
+#include "hybrid/smooth_map.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -55,7 +55,7 @@ class BelowParts {
   /// `box` and `depth` (mm): region of the map. All arguments must outlive this object. Throws
   /// contact::SolveError where the meshes of body and twin differ.
   BelowParts(const contact::BelowSurface& coordinates, const fem::Body& body, const fem::Body& twin,
-             const FlatLoads& loads, const halfspace::SmoothBox& box, double depth);
+             const FlatLoads& loads, const SmoothBox& box, double depth);
   /// Displacement and stress of the body less those of its half-space, one row for each point,
   /// under traction `shape` of the loads along `component`. Sign as on the wheel; the rail has the
   /// opposite sign.
@@ -76,7 +76,7 @@ class BelowParts {
 
   const contact::BelowSurface& coordinates_;
   const FlatLoads& loads_;
-  halfspace::SmoothBox box_;
+  SmoothBox box_;
   double depth_;
   contact::Material material_;
   bool wheel_, half_;

@@ -12,9 +12,10 @@
 #include "fem/trace/far_field.hpp"
 #include "fem/trace/fem_compliance.hpp"
 #include "halfspace/elasticity/influence.hpp"
-#include "halfspace/patch/correction_scene.hpp"
+#include "halfspace/patch/patch_search.hpp"
 #include "hybrid/correction/below_parts.hpp"
 #include "hybrid/correction/flat_twin.hpp"
+#include "hybrid/correction_scene.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/QR>
@@ -42,8 +43,6 @@ using fem::BodyOptions;
 using fem::LinearSolver;
 using fem::RunLayout;
 using fem::Vector;
-using halfspace::SmoothBox;
-using halfspace::SmoothMap;
 
 // The correction of a flat body in the frame of the common surface, without a mesh: the
 // body is a half-space itself, but loaded and evaluated along the local tangents and
@@ -248,8 +247,8 @@ struct Basis {
     loads = {room * layout.patch.half_length, room * 0.5 * (upper - lower), 0.5 * (lower + upper)};
     fields = {0.5 * grid.nx * grid.dx, 0.5 * (y.maxCoeff() - y.minCoeff() + grid.dy),
               0.5 * (y.maxCoeff() + y.minCoeff())};
-    in = halfspace::polynomials(loads, load_degree, x, y);
-    out = halfspace::polynomials(fields, field_degree, x, y);
+    in = polynomials(loads, load_degree, x, y);
+    out = polynomials(fields, field_degree, x, y);
     ellipsoid = weight = Field(grid.size());
     for (Index k = 0; k < ellipsoid.size(); ++k) {
       const double a = x[k] / loads.half_length;
@@ -343,7 +342,7 @@ struct Responses {
 
 Responses responses(const Basis& basis, Pair& pair, const BelowParts* below) {
   const double sign = pair.body.shape().is_wheel ? 1.0 : -1.0;
-  const auto powers = halfspace::polynomial_powers(load_degree);
+  const auto powers = polynomial_powers(load_degree);
   const Index ins = basis.in.cols();
   Responses result;
   result.surface = MatrixXd::Zero(3 * basis.out.cols(), 3 * ins);
@@ -402,7 +401,7 @@ MatrixXd of_moments(const Basis& basis, const MatrixXd& of_loads) {
 
 /// `coordinates`: coordinates of the body for stresses; null: no stresses requested.
 void find_maps(const Basis& basis, Pair& pair, const contact::BelowSurface* coordinates,
-               SmoothMap& map, halfspace::SmoothDepthMap& map_below) {
+               SmoothMap& map, SmoothDepthMap& map_below) {
   std::optional<BelowParts> below;
   if (coordinates != nullptr)
     below.emplace(*coordinates, pair.body, pair.twin, basis.flat, basis.below, basis.deep);
@@ -445,14 +444,14 @@ void check(const Scene& scene) {
 
 }  // namespace
 
-halfspace::SmoothParts find_smooth_parts(const Scene& scene, const contact::Progress& progress) {
+SmoothParts find_smooth_parts(const Scene& scene, const contact::Progress& progress) {
   return find_smooth_parts_with(usual_cells_in_semi_axis, scene, progress);
 }
 
-halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const Scene& asked,
-                                              const contact::Progress& progress) {
+SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const Scene& asked,
+                                   const contact::Progress& progress) {
   check(asked);
-  const Scene scene = halfspace::correction_scene(asked);
+  const Scene scene = correction_scene(asked);
   contact::ProgressEvent event;
   event.model = "hybrid";
   event.stage = "correction";
@@ -461,7 +460,7 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
                       (scene.options.fem.degree == 1 ? times_cells_of_degree_one : 1.0);
   const RunLayout layout = fem::run_layout(scene, cell);
   const Basis basis(scene, layout);
-  halfspace::SmoothParts parts;
+  SmoothParts parts;
   parts.stresses = asked.asks_for_stress();
   const fem::MeshedBodies meshed{needs_mesh(scene, true, parts.stresses),
                                  needs_mesh(scene, false, parts.stresses)};

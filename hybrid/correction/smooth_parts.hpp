@@ -7,20 +7,18 @@
 
 #include "contact/base/progress.hpp"
 #include "contact/scene/scene.hpp"
-#include "halfspace/elasticity/smooth_map.hpp"
+#include "hybrid/smooth_map.hpp"
 
 namespace rollfem::hybrid {
 
-/// Correction of the scene's correction scene (halfspace/patch/correction_scene.hpp), computed by
+/// Correction of the scene's correction scene (hybrid/correction_scene.hpp), computed by
 /// the calling process alone because the bodies are small. Throws contact::InputError for scenes
 /// without bodies (undeformed distances) and for stresses in bodies other than boxes, and
 /// contact::SolveError.
-halfspace::SmoothParts find_smooth_parts(const contact::Scene& scene,
-                                         const contact::Progress& progress);
+SmoothParts find_smooth_parts(const contact::Scene& scene, const contact::Progress& progress);
 
 /// The same with the given number of cells in the smaller semi-axis of the patch instead of three.
-halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis,
-                                              const contact::Scene& scene,
-                                              const contact::Progress& progress);
+SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const contact::Scene& scene,
+                                   const contact::Progress& progress);
 
 }  // namespace rollfem::hybrid

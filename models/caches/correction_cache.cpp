@@ -3,7 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/result/record.hpp"
-#include "halfspace/patch/correction_scene.hpp"
+#include "hybrid/correction_scene.hpp"
 #include "models/program/provenance.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/files/seal.hpp"
@@ -22,9 +22,9 @@ namespace fs = std::filesystem;
 
 namespace rollfem::modelling {
 
-using halfspace::SmoothBox;
-using halfspace::SmoothDepthMap;
-using halfspace::SmoothParts;
+using hybrid::SmoothBox;
+using hybrid::SmoothDepthMap;
+using hybrid::SmoothParts;
 
 namespace {
 
@@ -60,7 +60,7 @@ fs::path folder_from_environment() {
 
 std::string key_of(const contact::Scene& correction, bool symmetric) {
   return fmt::format("format {} of rollfem {} ({})\n{} bodies\n{}", format, version(), commit(),
-                     symmetric ? "half" : "whole", halfspace::correction_key(correction));
+                     symmetric ? "half" : "whole", hybrid::correction_key(correction));
 }
 
 fs::path file_of(const fs::path& folder, const std::string& key) {
@@ -170,7 +170,7 @@ std::string CorrectionCache::keep(const contact::Scene& correction, const Smooth
   if (off()) return {};
   const std::string key = key_of(correction, correction.is_symmetric());
   Stored stored{key, {}, packed(parts)};
-  stored.entry.words = halfspace::correction_words(correction);
+  stored.entry.words = hybrid::correction_words(correction);
   stored.entry.made = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
   stored.entry.unknowns = parts.unknowns;
   stored.entry.seconds = seconds;

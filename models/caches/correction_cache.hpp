@@ -4,7 +4,7 @@
 #pragma once
 
 #include "contact/scene/scene.hpp"
-#include "halfspace/elasticity/smooth_map.hpp"
+#include "hybrid/smooth_map.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -15,9 +15,9 @@
 namespace rollfem::modelling {
 
 /// The smooth parts as bytes in this machine's byte order, for files and other processes.
-std::string packed(halfspace::SmoothParts parts);
+std::string packed(hybrid::SmoothParts parts);
 /// Throws contact::FileError when the bytes are those of something else.
-halfspace::SmoothParts unpacked(const std::string& bytes);
+hybrid::SmoothParts unpacked(const std::string& bytes);
 
 class CorrectionCache {
  public:
@@ -32,16 +32,16 @@ class CorrectionCache {
   const std::filesystem::path& folder() const { return folder_; }
 
   struct Found {
-    std::optional<halfspace::SmoothParts> parts;  ///< with a note on their origin
-    std::string note;                             ///< names a damaged file; otherwise empty
+    std::optional<hybrid::SmoothParts> parts;  ///< with a note on their origin
+    std::string note;                          ///< names a damaged file; otherwise empty
   };
-  /// Looks up a correction scene (halfspace/patch/correction_scene.hpp). Parts for bodies without a
+  /// Looks up a correction scene (hybrid/correction_scene.hpp). Parts for bodies without a
   /// plane of symmetry also serve bodies with one; parts without stresses do not serve a request
   /// with stresses.
   Found find(const contact::Scene& correction, bool with_stresses) const;
   /// Stores the parts completely or not at all; `seconds`: time taken to compute them. Returns why
   /// they could not be stored, or an empty text.
-  std::string keep(const contact::Scene& correction, const halfspace::SmoothParts& parts,
+  std::string keep(const contact::Scene& correction, const hybrid::SmoothParts& parts,
                    double seconds) const;
 
   struct Entry {

@@ -4,8 +4,8 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
 #include "halfspace/model/halfspace_model.hpp"
-#include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "hybrid/correction_scene.hpp"
 #include "models/caches/correction_cache.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/program/provenance.hpp"
@@ -23,12 +23,12 @@ using contact::RefinedInput;
 
 namespace {
 
-using halfspace::SmoothParts;
+using hybrid::SmoothParts;
 
 /// Takes the correction from the cache, otherwise computes it by finite elements and stores it
 /// there.
 SmoothParts found_here(const contact::Scene& scene, const contact::Progress& progress) {
-  const contact::Scene correction = halfspace::correction_scene(scene);
+  const contact::Scene correction = hybrid::correction_scene(scene);
   const CorrectionCache cache;
   const auto stored = cache.find(correction, scene.asks_for_stress());
   if (stored.parts) return *stored.parts;
@@ -91,7 +91,7 @@ SmoothParts find_smooth_parts(const contact::Scene& scene, const contact::Progre
 bool correction_is_kept(const contact::Scene& scene) {
   contact::Scene curved = scene;
   curved.follows_surface = 1.0;
-  const auto correction = contact::attempt([&] { return halfspace::correction_scene(curved); });
+  const auto correction = contact::attempt([&] { return hybrid::correction_scene(curved); });
   return correction &&
          CorrectionCache().find(*correction, scene.asks_for_stress()).parts.has_value();
 }

@@ -11,8 +11,8 @@ namespace rollfem::modelling {
 /// Finds the correction of half-spaces for the bodies of a scene: in the cache
 /// (correction_cache.hpp), otherwise by the finite-element library, which it opens. Throws
 /// contact::InputError as open_fem_library does. Collective if several processes run.
-halfspace::SmoothParts find_smooth_parts(const contact::Scene& scene,
-                                         const contact::Progress& progress);
+hybrid::SmoothParts find_smooth_parts(const contact::Scene& scene,
+                                      const contact::Progress& progress);
 
 /// Whether the correction of the scene is in the cache.
 bool correction_is_kept(const contact::Scene& scene);

@@ -31,7 +31,7 @@ ALLOWED = {
     "postprocess": {"contact": {"base", "case", "scene", "result"}},
     "track": {"contact": ANY, "halfspace": ANY, "profiles": ANY},
     "fem": {"contact": ANY, "halfspace": ANY, "meshes": ANY},
-    "hybrid/correction": {"contact": ANY, "halfspace": ANY, "fem": ANY},
+    "hybrid/correction": {"contact": ANY, "halfspace": ANY, "fem": ANY, "hybrid": {""}},
     "hybrid": {"contact": ANY, "halfspace": ANY},
     "models/choice": {"contact": {"base", "result"}},
     "models": {"contact": ANY, "halfspace": ANY, "theories": ANY, "hybrid": ANY, "track": ANY, "postprocess": ANY,

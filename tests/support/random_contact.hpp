@@ -6,7 +6,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/model/halfspace_model.hpp"
-#include "halfspace/patch/correction_scene.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include "tests/support/random_draws.hpp"
 #include <algorithm>

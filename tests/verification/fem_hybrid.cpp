@@ -28,15 +28,14 @@ contact::ModelResult hybrid_of(const contact::Case& input) {
 
 /// Displacement by one body of a scene whose other one is rigid, under Hertz's pressure and half of
 /// it as friction, less its mean (which is the far boundary's), in mm.
-contact::SurfaceField beyond(const halfspace::SmoothMap& map) {
+contact::SurfaceField beyond(const hybrid::SmoothMap& map) {
   const double a = map.loads.half_length, b = map.loads.half_width;
   const auto grid = contact::ContactGrid::centred(16, 16, 0.1 * a, 0.1 * b);
   const contact::Field hertz = hertz_pressure(grid, a, b, 1e3);
   // Half a body carries friction along rolling, and to both sides.
   const contact::Field sides =
       hertz.cwiseProduct(grid.sample([&](double, double y) { return y / b; }));
-  contact::SurfaceField u =
-      halfspace::SmoothMapOnGrid(map, grid).apply({0.5 * hertz, sides, hertz});
+  contact::SurfaceField u = hybrid::SmoothMapOnGrid(map, grid).apply({0.5 * hertz, sides, hertz});
   for (contact::Field* part : {&u.x, &u.y, &u.n}) part->array() -= part->mean();
   return u;
 }
@@ -61,9 +60,9 @@ TEST(Hybrid, OfAFreeMeshIsThatOfTheBox) {
   input.fem.extent = 30.0;
   contact::Scene scene(input);
   scene.follows_surface = 1.0;
-  const halfspace::SmoothParts boxes = hybrid::find_smooth_parts(scene, {});
+  const hybrid::SmoothParts boxes = hybrid::find_smooth_parts(scene, {});
   scene.options.fem.mesh = contact::MeshFamily::gmsh;
-  const halfspace::SmoothParts free = hybrid::find_smooth_parts(scene, {});
+  const hybrid::SmoothParts free = hybrid::find_smooth_parts(scene, {});
   EXPECT_NE(free.unknowns, boxes.unknowns);
   const double wheel = farthest(beyond(free.wheel), beyond(boxes.wheel));
   const double rail = farthest(beyond(free.rail), beyond(boxes.rail));
@@ -86,10 +85,10 @@ TEST(Hybrid, AFlatRailIsNotMeshed) {
   input.fem.extent = 25.0;
   contact::Scene scene(input);
   scene.follows_surface = 1.0;
-  const halfspace::SmoothParts plain = hybrid::find_smooth_parts(scene, {});
+  const hybrid::SmoothParts plain = hybrid::find_smooth_parts(scene, {});
   EXPECT_EQ(plain.unknowns, 0);
   scene.output.stress_maxima = true;
-  const halfspace::SmoothParts meshed = hybrid::find_smooth_parts(scene, {});
+  const hybrid::SmoothParts meshed = hybrid::find_smooth_parts(scene, {});
   EXPECT_GT(meshed.unknowns, 1000);
   const double difference = farthest(beyond(plain.rail), beyond(meshed.rail));
   record("difference", difference);

@@ -18,7 +18,7 @@ contact::Case on_16_across(const std::string& name) {
   return input;
 }
 
-contact::ModelResult hybrid_of(const contact::Scene& scene, const halfspace::SmoothParts& parts) {
+contact::ModelResult hybrid_of(const contact::Scene& scene, const hybrid::SmoothParts& parts) {
   return hybrid::run_hybrid(scene, {}, nullptr,
                             [&](const contact::Scene&, const contact::Progress&) { return parts; });
 }
@@ -58,9 +58,9 @@ contact::Case shifted() {
 }
 
 /// Constant displacement along the normal of `softness` mm per N of the normal force.
-halfspace::SmoothParts springs(double softness) {
-  halfspace::SmoothParts parts;
-  halfspace::SmoothMap& map = parts.rail;
+hybrid::SmoothParts springs(double softness) {
+  hybrid::SmoothParts parts;
+  hybrid::SmoothMap& map = parts.rail;
   map.fields = {50.0, 50.0, 0.0};
   map.coefficients = Eigen::MatrixXd::Zero(3, 3);
   map.coefficients(2, 2) = softness;

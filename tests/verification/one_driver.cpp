@@ -5,7 +5,7 @@
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/model/halfspace_model.hpp"
-#include "halfspace/patch/correction_scene.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include "support/test.hpp"
 #include "support/thesis_cases.hpp"

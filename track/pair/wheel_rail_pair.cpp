@@ -4,8 +4,8 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/validity.hpp"
 #include "halfspace/model/halfspace_model.hpp"
-#include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/patch/load_sharing.hpp"
+#include "halfspace/patch/patch_search.hpp"
 #include "track/balance/position.hpp"
 
 #include <fmt/format.h>

@@ -9,7 +9,6 @@
 #include "contact/result/patch_size.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
-#include "halfspace/patch/correction_scene.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/patch_case.hpp"

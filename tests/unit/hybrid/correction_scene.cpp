@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "halfspace/patch/correction_scene.hpp"
+#include "hybrid/correction_scene.hpp"
 
 #include "contact/case/case_reader.hpp"
 
@@ -13,7 +13,7 @@ contact::Case case_of(const std::string& name) {
 }
 
 std::string key_of(const contact::Case& input) {
-  return halfspace::correction_key(halfspace::correction_scene(input));
+  return hybrid::correction_key(hybrid::correction_scene(input));
 }
 
 }  // namespace
@@ -22,14 +22,14 @@ TEST(CorrectionScene, IsThatOfTheNextPowerOfLoads) {
   contact::Case input = case_of("thesis_f");
   for (const double force : {50.0, 10e3, 50e3, 1e6}) {
     input.load.normal_force = force;
-    const contact::Scene scene = halfspace::correction_scene(input);
+    const contact::Scene scene = hybrid::correction_scene(input);
     ASSERT_EQ(scene.points.size(), 1u);
     EXPECT_GE(*scene.points[0].load.force, force);
-    EXPECT_LT(*scene.points[0].load.force, halfspace::correction_load_ratio * force * 1.000001);
+    EXPECT_LT(*scene.points[0].load.force, hybrid::correction_load_ratio * force * 1.000001);
     // Its own correction scene is itself.
-    const contact::Scene again = halfspace::correction_scene(scene);
+    const contact::Scene again = hybrid::correction_scene(scene);
     EXPECT_EQ(*again.points[0].load.force, *scene.points[0].load.force);
-    EXPECT_EQ(halfspace::correction_key(again), halfspace::correction_key(scene));
+    EXPECT_EQ(hybrid::correction_key(again), hybrid::correction_key(scene));
   }
 }
 
@@ -46,9 +46,9 @@ TEST(CorrectionScene, KnowsNoFrictionCreepageNorGrid) {
 
 TEST(CorrectionScene, HasTheSymmetryOfTheLoadPoints) {
   contact::Case input = case_of("thesis_a");
-  EXPECT_TRUE(halfspace::correction_scene(input).is_symmetric());
+  EXPECT_TRUE(hybrid::correction_scene(input).is_symmetric());
   input.rolling.creepages[2].spin = 1e-4;
-  EXPECT_FALSE(halfspace::correction_scene(input).is_symmetric());
+  EXPECT_FALSE(hybrid::correction_scene(input).is_symmetric());
 }
 
 TEST(CorrectionScene, KeyIsOfTheBodies) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The scene for which the smooth parts of wheel and rail (elasticity/smooth_map.hpp) are computed:
+// The scene for which the smooth parts of wheel and rail (smooth_map.hpp) are computed:
 // the bodies of a scene under a rounded load. Scenes that differ little in load, or only in
 // creepages, friction and grids, share it and hence the smooth parts.
 #pragma once
@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace rollfem::halfspace {
+namespace rollfem::hybrid {
 
 /// The bodies of the scene with one load point: the next power of `correction_load_ratio` above the
 /// largest load, so that all loads up to it share its smooth parts, and creepages that only tell
@@ -27,10 +27,4 @@ std::string correction_key(const contact::Scene& correction);
 /// One-line description of the bodies, for lists.
 std::string correction_words(const contact::Scene& correction);
 
-// Surface of a contact grid of half-spaces: the plane of the patch or the common surface.
-
-/// The scene for the position of the model's contact grid. Throws contact::InputError if the common
-/// surface is requested but unknown.
-contact::ChartedGeometry halfspace_geometry(const contact::Scene& scene);
-
-}  // namespace rollfem::halfspace
+}  // namespace rollfem::hybrid

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "halfspace/patch/correction_scene.hpp"
+#include "hybrid/correction_scene.hpp"
 
 #include "contact/base/errors.hpp"
 #include "halfspace/patch/patch_search.hpp"
@@ -13,10 +13,12 @@
 #include <stdexcept>
 #include <utility>
 
-namespace rollfem::halfspace {
+namespace rollfem::hybrid {
 
 using contact::NormalLoad;
 using contact::Scene;
+using halfspace::PatchBox;
+using halfspace::PatchSearch;
 
 /// Semi-axes of the boxes then differ by 6.3 % at most. Where they differ by 9.4 % the pressure of
 /// case f changes by 0.022 % and its traction coefficients by 1e-4.
@@ -169,30 +171,4 @@ std::string correction_words(const Scene& correction) {
                      2.0 * box.half_width);
 }
 
-namespace {
-
-void check_curved(const Scene& scene) {
-  const auto refuse = [&](bool asked, const char* what) {
-    if (!asked) return;
-    throw contact::InputError(
-        fmt::format("{}: halfspace.surface = \"curved\": cannot be combined with {}; allowed: "
-                    "wheel and rail with radii or profiles, and no stresses below the surface; do: "
-                    "remove it, or run with surface = \"planar\"",
-                    scene.file, what));
-  };
-  refuse(!scene.geometry.has_surfaces(), "undeformed_distance");
-  refuse(scene.given_pressure.has_value(), "given_pressure");
-  refuse(scene.asks_for_stress(), "subsurface stresses, which need a plane half-space");
-}
-
-}  // namespace
-
-contact::ChartedGeometry halfspace_geometry(const Scene& scene) {
-  if (!(scene.follows_surface > 0.0)) return {scene.geometry, contact::Chart::plane};
-  check_curved(scene);
-  contact::Geometry geometry = scene.geometry;
-  geometry.surface.follows = scene.follows_surface;
-  return {std::move(geometry), contact::Chart::arc};
-}
-
-}  // namespace rollfem::halfspace
+}  // namespace rollfem::hybrid

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The smooth part of the difference between a curved, finite body and its half-space, as a map
 // between polynomials over the patch: tractions enter by their moments, displacement is a
-// polynomial. It is the same on every contact grid and costs almost nothing.
+// polynomial, below the surface also the stress. It is the same on every contact grid and costs
+// almost nothing.
 #pragma once
 
 #include "contact/base/grid.hpp"
+#include "halfspace/stress/subsurface.hpp"
 
 #include <Eigen/Core>
 
@@ -12,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::halfspace {
+namespace rollfem::hybrid {
 
 /// Box in which polynomials are scaled to [-1, 1]: x along rolling, y along the common surface of
 /// the bodies (arc length), mm.
@@ -46,8 +48,8 @@ struct SmoothMap {
   bool empty() const { return coefficients.size() == 0; }
 };
 
-/// Difference between one body and its half-space below the surface (stress/smooth_stress.hpp).
-/// Its coefficients are those of the components of smooth_stress.hpp in order (mm, MPa).
+/// Difference between one body and its half-space below the surface. Its coefficients are those of
+/// the smooth_components in order (mm, MPa).
 struct SmoothDepthMap : SmoothMap {
   double depth = 0.0;  ///< mm, depth of the map
 };
@@ -78,4 +80,34 @@ class SmoothMapOnGrid {
   Eigen::MatrixXd fields_;
 };
 
-}  // namespace rollfem::halfspace
+// Displacement and stress below the surface.
+
+/// Displacement along rolling, across and along the normal into the wheel, and the stress xx yy zz
+/// xy yz xz along these.
+inline constexpr int smooth_components = 9;
+
+/// Values of the polynomials of total degree up to `degree` at a point with a depth from 0 to
+/// `depth` mm. Points outside box and depth are moved to the nearest limit.
+Eigen::VectorXd depth_polynomials(const SmoothBox& box, double depth, int degree,
+                                  const halfspace::SubsurfacePoint& at);
+/// Number of polynomials.
+Eigen::Index depth_polynomial_count(int degree);
+
+/// Difference between one body and its half-space under the tractions of a grid.
+class SmoothStressOnGrid {
+ public:
+  /// `map` is not empty.
+  SmoothStressOnGrid(const SmoothDepthMap& map, const contact::ContactGrid& grid,
+                     const contact::SurfaceField& traction);
+  /// Adds the difference to the state at a point. Outside the box it fades with the square of the
+  /// distance.
+  void add(const halfspace::SubsurfacePoint& at, halfspace::SubsurfaceState& state) const;
+
+ private:
+  SmoothBox fields_;
+  double depth_;
+  int degree_;
+  Eigen::MatrixXd coefficients_;  ///< a column for each component
+};
+
+}  // namespace rollfem::hybrid

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Polynomials of a smooth map are reproduced on any grid.
-#include "halfspace/elasticity/smooth_map.hpp"
+#include "hybrid/smooth_map.hpp"
 
 #include "support/test.hpp"
 
 namespace {
 
-constexpr halfspace::SmoothBox box{4.0, 9.0, 1.5};
+constexpr hybrid::SmoothBox box{4.0, 9.0, 1.5};
 
 Field along(const ContactGrid& grid) {
   return grid.sample([](double x, double) { return x; });
@@ -16,11 +16,11 @@ Field across(const ContactGrid& grid) {
 }
 
 /// u_n = c (integral of p_x) x y^2, everything else 0; x and y in units of the box.
-halfspace::SmoothMap one_entry(double c) {
+hybrid::SmoothMap one_entry(double c) {
   constexpr int degree = 3;
-  const auto powers = halfspace::polynomial_powers(degree);
+  const auto powers = hybrid::polynomial_powers(degree);
   const auto count = static_cast<Eigen::Index>(powers.size());
-  halfspace::SmoothMap map{box, box, degree, degree, Eigen::MatrixXd::Zero(3 * count, 3 * count)};
+  hybrid::SmoothMap map{box, box, degree, degree, Eigen::MatrixXd::Zero(3 * count, 3 * count)};
   // x y^2 = T_1 (T_0 + T_2) / 2.
   for (Eigen::Index k = 0; k < count; ++k) {
     const auto& p = powers[static_cast<std::size_t>(k)];
@@ -33,9 +33,9 @@ halfspace::SmoothMap one_entry(double c) {
 
 TEST(SmoothMap, PolynomialsAreChebyshevsOfTotalDegree) {
   const ContactGrid grid = ContactGrid::centred(5, 7, 1.3, 2.1, 0.2, 1.0);
-  const auto powers = halfspace::polynomial_powers(4);
+  const auto powers = hybrid::polynomial_powers(4);
   ASSERT_EQ(powers.size(), 15u);
-  const Eigen::MatrixXd values = halfspace::polynomials(box, 4, along(grid), across(grid));
+  const Eigen::MatrixXd values = hybrid::polynomials(box, 4, along(grid), across(grid));
   for (std::size_t k = 0; k < powers.size(); ++k)
     for (int e = 0; e < grid.size(); ++e) {
       const double x = std::min(1.0, std::max(-1.0, along(grid)[e] / box.half_length));
@@ -50,7 +50,7 @@ TEST(SmoothMap, PolynomialsAreChebyshevsOfTotalDegree) {
 TEST(SmoothMap, TakesMomentsAndGivesPolynomialsOnAnyGrid) {
   for (const int n : {8, 32}) {
     const ContactGrid grid = ContactGrid::centred(n, n, 8.0 / n, 18.0 / n, 0.0, 1.5);
-    const halfspace::SmoothMapOnGrid map(one_entry(2e-7), grid);
+    const hybrid::SmoothMapOnGrid map(one_entry(2e-7), grid);
     const Field none = Field::Zero(grid.size());
     const SurfaceField u = map.apply({Field::Constant(grid.size(), 10.0), none, none});
     EXPECT_EQ(u.x.cwiseAbs().maxCoeff(), 0.0);
@@ -67,7 +67,7 @@ TEST(SmoothMap, TakesMomentsAndGivesPolynomialsOnAnyGrid) {
 TEST(SmoothMap, BeyondItsBoxItHasTheValuesOfTheNearestPlace) {
   // x y^2 would be 1000 times as large at ten times the box.
   const ContactGrid grid = ContactGrid::centred(41, 41, 2.0, 4.5, 0.0, 1.5);
-  const halfspace::SmoothMapOnGrid map(one_entry(2e-7), grid);
+  const hybrid::SmoothMapOnGrid map(one_entry(2e-7), grid);
   const Field none = Field::Zero(grid.size());
   SurfaceField load{none, none, none};
   load.x[grid.index(20, 20)] = 10.0;
