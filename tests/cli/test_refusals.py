@@ -34,7 +34,8 @@ def rows(name):
     for number, line in enumerate((SOURCE / "tests/refusals" / name).read_text("utf-8").splitlines(), 1):
         if line.startswith("@"):
             base = line[1:]
-            bases[base] = b""
+            file = SOURCE / f"tests/support/contact/{base}.inp"
+            bases[base] = file.read_bytes() if file.exists() else b""
         elif line.startswith("    ! "):
             entries[-1][3].extend(line[6:].split(" ! "))
         elif line.startswith("    "):
@@ -73,6 +74,19 @@ def expect(said, parts):
 @pytest.mark.parametrize("base, change, parts", rows("case.txt"))
 def test_case(base, change, parts):
     expect(message(changed(base, change)), parts)
+
+
+@pytest.mark.parametrize("base, change, parts", rows("convert.txt"))
+def test_input_of_contact(rollfem, base, change, parts):
+    outcome = rollfem.call("convert", rollfem.file("a.inp", changed(base, change)), "-o", "made")
+    assert outcome.status == 2 and rollfem.made() == []
+    says(outcome.err, *parts)
+
+
+def test_input_of_contact_cut_short(rollfem):
+    whole = (SOURCE / "tests/support/contact/pushed_ball.inp").read_text()
+    rollfem.refuses("convert", rollfem.file("a.inp", whole.partition("0.02 0.0")[0]),
+                    says="a.inp:12: the file ends before B1; do: check that it is complete")
 
 
 DEEP = "a" + 63 * ".a"

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reading CONTACT's input files: the layout of lines, data kept from previous cases, and messages.
+// Reading CONTACT's input files: the layout of lines, data kept from previous cases.
 #include "contact/base/errors.hpp"
 
 #include "convert/contact_reader.hpp"
 #include "convert/input_lines.hpp"
 #include "support/contact_inputs.hpp"
-#include "support/temporary_folder.hpp"
 
 namespace {
 
 using namespace rollfem::convert;
-
-std::string message_of(const std::string& text) {
-  return refusal<InputError>([&] { read_contact_file(text, "made.inp"); });
-}
 
 TEST(InputLines, TakesNumbersFortranWaysAndLeavesTheWords) {
   InputLines lines("% all of it\n\n 1d-5 2. +3.5E2 -90d  A, B, 4 % 5\n7,8,\n 9\n", "x.inp");
@@ -103,22 +98,6 @@ TEST(ContactInput, ReadsWheelAndRail) {
   EXPECT_EQ(pair.track[2], 1435.0);
   EXPECT_EQ(pair.position[1], 1.5);
   EXPECT_EQ(pair.velocity[5], -20.02);
-}
-
-TEST(ContactInput, SaysWhereItStoppedToUnderstand) {
-  EXPECT_EQ(message_of(replaced(pushed_ball, "0.30  0.30  ", "0.30  FKIN  ")),
-            "made.inp:8: expected FKIN, got FKIN; do: check for a missing value or line, or a file "
-            "of another version of CONTACT");
-  EXPECT_EQ(message_of(pushed_ball.substr(0, pushed_ball.find("0.02 0.0"))),
-            "made.inp:12: the file ends before B1; do: check that it is complete");
-  EXPECT_TRUE(says(message_of(replaced(pushed_ball, " 36 36 ", " 99999 99999 ")),
-                   "MX MY = 99999 by 99999 elements; allowed: 4e+06 in all"));
-  EXPECT_TRUE(says(message_of(" 4 module\n"), "module 4; allowed: 1 (wheel and rail), 3"));
-  EXPECT_TRUE(says(message_of("% nothing\n"), "the file contains no case"));
-  EXPECT_TRUE(says(message_of(replaced(rolling_ellipse, " 022020 ", " 122020 ")),
-                   "digit L of the first case keeps the friction of a previous case"));
-  EXPECT_TRUE(
-      says(message_of(replaced(pushed_ball, " 36 36 ", " 36.5 36 ")), "MX = 36.5; allowed"));
 }
 
 }  // namespace

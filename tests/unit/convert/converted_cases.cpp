@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Converted cases of CONTACT: load points, signs, grids, bodies and refusals.
+// Converted cases of CONTACT: load points, signs, grids, bodies.
 #include "contact/case/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
@@ -25,11 +25,6 @@ Case only(const std::string& text) {
   EXPECT_EQ(made.files.size(), 1U);
   EXPECT_TRUE(made.refused.empty());
   return contact::parse_case(made.files.at(0).text, "made.toml");
-}
-
-std::string refused(const std::string& text) {
-  const Conversion made = converted(text);
-  return made.refused.empty() ? "none" : made.refused[0].reasons.at(0);
 }
 
 TEST(ConvertedCase, PushedBallHasForcesInNewtonsAndTheGridOfItsFile) {
@@ -150,17 +145,12 @@ TEST(ConvertedCase, OneRowOfLongElementsIsALineContact) {
   EXPECT_DOUBLE_EQ(made.contact_grid.middle[0], 0.0);
   ASSERT_EQ(made.rolling.forces.size(), 1U);
   EXPECT_NEAR(*made.rolling.forces[0].longitudinal, -0.4 * 0.25 * 30000.0, 1e-9);  // CHI = 180
-  EXPECT_TRUE(says(refused(replaced(driven_roller, "0.04 250.", "0.04 5.")),
-                   "too short for a line contact"));
   // The same roller as a circle without height across: NN, XM, RX1, Y1, DY1 and two heights.
   const std::string circle = " 2 1\n 2 0.0 300.0 -125. 250.\n";
   const std::string parabola = " 1 1\n 0.0016666666666667 0.0 0.0 0.0 0.0 0.0";
   EXPECT_NEAR(
       *only(replaced(driven_roller, parabola, circle + " 0.0 0.0")).geometry.relative_radius, 300.0,
       1e-9);
-  EXPECT_TRUE(
-      says(refused(replaced(driven_roller, parabola, circle + " 0.0 0.1")), "no height across"));
-  EXPECT_TRUE(says(refused(replaced(driven_roller, "667 0.0 0.0", "667 0.0 0.001")), "MY = 1"));
 }
 
 TEST(ConvertedCase, EllipsesAreTheSameHoweverTheyAreGiven) {
@@ -283,30 +273,6 @@ TEST(ConvertedCase, FrictionOverTheRailHasPoints) {
   EXPECT_TRUE(only(text).friction_variation.points.empty());
 }
 
-TEST(ConvertedCase, WhatHasNoEquivalentIsNamed) {
-  struct Row {
-    std::string text, piece, by, reason;
-  };
-  for (
-      const Row& row :
-      {Row{rolling_ellipse, "0.35 0.35", "0.35 0.30",
-           "FSTAT = 0.35 and FKIN = 0.3 differ: rollfem has one coefficient for adhesion and slip"},
-       Row{rolling_ellipse, " 022020   L-D-C-M-Z-E", " 022120", "digit M = 1: viscoelastic bodies"},
-       Row{rolling_ellipse, " 203100 ", " 213100 ",
-           "digit B = 1: a thin sheet instead of the half-space"},
-       Row{rolling_ellipse, " 0.0 0.5 20000.", " 90d 0.5 20000.",
-           "CHI = 90 degrees: rolling is along x only; allowed: 0 and 180"},
-       Row{pushed_ball, " 36 36 ", " 36 1 ",
-           "MY = 1: a line contact of rollers needs IBASE = 1 with B1 > 0 and all other B = 0, or "
-           "IBASE = 2 with RX1 > 0, XM = 0 and no height across"}}) {
-    std::string text = replaced(row.text, row.piece, row.by);
-    if (row.reason == "digit M = 1: viscoelastic bodies")
-      text = replaced(text, "82000. 82000.\n", "82000. 82000.\n 1. 1. 0.1 0.1\n");
-    if (row.piece == " 203100 ") text = replaced(text, "82000. 82000.\n", "82000. 82000.\n 1e-4\n");
-    EXPECT_EQ(refused(text), row.reason);
-  }
-}
-
 TEST(ConvertedCase, PointsBelowTheSurfaceAreLinesAndPoints) {
   std::string text = replaced(rolling_ellipse, " 203100 ", " 203103 ");
   // Below elements 11 and 12 of row 11, at two depths; three depths at one place.
@@ -338,10 +304,6 @@ TEST(ConvertedCase, ForcesUnderAGivenApproachAreFractionsOfTheForceOfHertz) {
                                   fmt::format("{:.15g} -0.5", approach)));
   EXPECT_NEAR(*made.history.at(0).approach, approach, 1e-12);
   EXPECT_NEAR(*made.rolling.forces[0].longitudinal, -0.5 * 0.3 * 20.0, 1e-9);
-  EXPECT_EQ(refused(replaced(replaced(pushed_ball, " 201120 ", " 201020 "), "0.02 0.0 0.02\n 0.0",
-                             "0.02 0.001 0.02\n 0.0"))
-                .rfind("digits N = 0, F > 0: tangential forces are relative", 0),
-            0u);
 }
 
 TEST(ConvertedCase, APatchThatMovesOverFixedAxesRolls) {
