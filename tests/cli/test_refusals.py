@@ -2,6 +2,7 @@
 """Every error in an input gives one message with file, line, key, value, allowed values and advice; none crashes. The
 inputs are rows of tests/refusals, each a test of its own."""
 
+import math
 import os
 import re
 
@@ -89,6 +90,11 @@ def test_input_of_contact_cut_short(rollfem):
                     says="a.inp:12: the file ends before B1; do: check that it is complete")
 
 
+def shortly(value):
+    """The name of a parameter: CTest's environment takes no long ones."""
+    return ascii(value)[1:40] if isinstance(value, str) else ""
+
+
 DEEP = "a" + 63 * ".a"
 
 
@@ -111,7 +117,7 @@ DEEP = "a" + 63 * ".a"
     ("a = i\n", ["case.toml:1:6: not valid TOML"]),
     ("#" * (2**20 + 1), ["larger than 1 MB"]),
     ("", ["case.toml: is empty"]),
-    (" \r\n\t\n", ["case.toml: is empty"])], ids=lambda value: ascii(value)[1:40] if isinstance(value, str) else "")
+    (" \r\n\t\n", ["case.toml: is empty"])], ids=shortly)
 def test_extreme_case(text, parts):
     expect(message(text), parts)
 
@@ -133,3 +139,71 @@ def test_a_huge_file_is_refused_without_reading_it(tmp_path):
     huge.touch()
     os.truncate(huge, 2**40)  # sparse: takes no space
     says(refusal("read_case", str(huge)), "larger than 1 MB")
+
+
+LATTICE = "".join(f"{-2 + 0.5 * i}, {-1 + 0.25 * j}, {i * j}\n" for j in range(4) for i in range(4))
+DISTANCE = {"load.normal_force": 1.0, "friction.coefficient": 0.3, "undeformed_distance.file": "points.csv"}
+RESIDUAL = SMALL | {"rail_plasticity.yield_stress": 520.0, "rail_plasticity.residual_file": "points.csv"}
+
+
+@pytest.mark.parametrize("keys, content, parts", [
+    (DISTANCE, LATTICE, []),
+    (DISTANCE, LATTICE + "1, 2\n", ["points.csv:17: has 2 numbers, not 3"]),
+    (DISTANCE, "0, 0, nan\n" + LATTICE, ["points.csv:1: 'nan' is not"]),
+    (DISTANCE, LATTICE + "0.1, 0, 1\n", ["regular lattice"]),
+    (DISTANCE, LATTICE + "-2, -1, 1\n", ["points.csv:17: the point (-2, -1) was given before, in line 1"]),
+    (DISTANCE, LATTICE.partition("\n")[2], ["lacks (-2, -1)"]),
+    (DISTANCE, "".join(line for line in LATTICE.splitlines(True) if line[:4] != "-0.5"), ["3 different values of x"]),
+    (DISTANCE, "", ["has no points"]),
+    (DISTANCE, "x,y,h\nonly,words,here\n", ["has no points"]),
+    (DISTANCE | {"undeformed_distance.file": "none.csv"}, "", ["none.csv: there is no such file"]),
+    (RESIDUAL, "0, 1, 2\n1, 2\n", ["points.csv:2: has 2 numbers, not 3: depth, along"]),
+    (RESIDUAL, "0, 1, 2\n1, 2, x\n", ["points.csv:2: 'x' is not a finite number"]),
+    (RESIDUAL, "0, 1, 2\n3, 1, 2\n3, 2, 1\n", ["points.csv:3: the depth 3 does not"]),
+    (RESIDUAL, "-1, 1, 2\n", ["points.csv:1: the depth -1 does not ascend from 0"]),
+    (RESIDUAL, "# nothing\n", ["points.csv: has no points", "depth, along, across"]),
+    (RESIDUAL | {"rail_plasticity.residual_along": 3.0}, "0, 1, 2\n",
+     ["rail_plasticity.residual_file", "stands beside lists", "do: remove one of the two"]),
+    (RESIDUAL | {"rail_plasticity.residual_file": "no.csv"}, "", ["no.csv: there is no such file"])], ids=shortly)
+def test_points_of_a_case(tmp_path, keys, content, parts):
+    (tmp_path / "points.csv").write_text(content)
+    (tmp_path / "case.toml").write_text(toml(keys))
+    expect(refusal("read_case", str(tmp_path / "case.toml")), parts)
+
+
+def test_points_that_are_none_are_not_quoted(tmp_path):
+    (tmp_path / "points.csv").write_text("root:x:0:0\nuser:secret:1000\n")
+    (tmp_path / "case.toml").write_text(toml(DISTANCE))
+    said = refusal("read_case", str(tmp_path / "case.toml"))
+    assert said and "secret" not in said
+
+
+def turn(step, *last):
+    """A wheel of 8 sections, of which every second one is lower."""
+    return "".join(f"{k * step} {1 + k % 2}.txt\n" for k in range(8)) + "".join(last)
+
+
+@pytest.mark.parametrize("body, sections, parts", [
+    ("rail", "0 1.txt\n", ["a.sections:1:", "at least two"]),
+    ("rail", "0 1.txt\n0 2.txt\n", ["a.sections:2:", "position 0 after 0", "increasing"]),
+    ("rail", "zero 1.txt\n1 2.txt\n", ["a.sections:1:", "zero"]),
+    ("rail", "0 1.txt 5\n1 2.txt\n", ["a.sections:2:", "0 features", "as many for each"]),
+    ("rail", "0 1.txt 500\n1 2.txt 10\n", ["a.sections:1:", "beyond the end"]),
+    ("rail", "0 1.txt\n1 9.txt\n", ["9.txt"]),
+    ("rail", "0 1.txt\n1 a.sections\n", ["a.sections:2: a.sections is a list", "files with one profile"]),
+    ("rail", "0 1.txt\n1 b.slcs\n", ["a.sections:2: b.slcs is a list", "files with one profile"]),
+    ("rail", "".join(f"{k} none.txt\n" for k in range(10001)), ["10001 sections; allowed: at least two, at most 10000"]),
+    ("rail", "".join(f"{u} none.txt" + "".join(f" {0.01 * k}" for k in range(1, 1002)) + "\n" for u in (0, 1)),
+     ["1001 features", "up to 1000"]),
+    ("wheel", turn(math.pi / 4, "6.2832 2.txt\n"),
+     ["a.sections:9: a full turn ends with another section", "leave this line out"]),
+    ("wheel", turn(math.pi / 4, "6.29 1.txt\n"), ["a.sections:9: angles over 6.29", "2 pi = 6.283185"]),
+    ("wheel", turn(45.0), ["angles over 315", "angles in rad"])], ids=shortly)
+def test_list_of_sections(rollfem, body, sections, parts):
+    for k in 1, 2, 3:
+        rollfem.file(f"{k}.txt", "".join(f"{0.5 * i} {300 - math.sqrt(9e4 - 0.25 * i * i) - 0.5 * k}\n"
+                                         for i in range(-72, 73)))
+    rollfem.file("b.slcs", "0 1\n2\n0 0 0\n2\n0 a.sections\n1 a.sections\n")
+    outcome = rollfem.call("profile", rollfem.file("a.sections", sections), f"--{body}", "-o", "out")
+    assert outcome.status == 2, outcome
+    says(outcome.err, *parts)

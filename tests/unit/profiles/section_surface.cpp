@@ -166,21 +166,6 @@ TEST_F(SectionList, IsReadInBothForms) {
   EXPECT_NEAR(height_at(*rows, 70.0, 0.0).z, -1.2, 1e-6);
 }
 
-TEST_F(SectionList, SaysWhatIsWrong) {
-  const auto refused = [&](const std::string& text) {
-    return refusal<contact::InputError>([&] { read("a.sections", text); });
-  };
-  EXPECT_TRUE(says(refused("0 sections/1.txt\n"), "a.sections:1:", "at least two"));
-  EXPECT_TRUE(says(refused("0 sections/1.txt\n0 sections/2.txt\n"),
-                   "a.sections:2:", "position 0 after 0", "increasing"));
-  EXPECT_TRUE(says(refused("zero sections/1.txt\n1 sections/2.txt\n"), "a.sections:1:", "zero"));
-  EXPECT_TRUE(says(refused("0 sections/1.txt 5\n1 sections/2.txt\n"), "a.sections:2:", "0 features",
-                   "as many for each"));
-  EXPECT_TRUE(says(refused("0 sections/1.txt 500\n1 sections/2.txt 10\n"),
-                   "a.sections:1:", "beyond the end"));
-  EXPECT_TRUE(says(refused("0 sections/1.txt\n1 sections/9.txt\n"), "sections/9.txt"));
-}
-
 TEST_F(SectionList, SectionsTooNearForTheirDifferenceAreRefused) {
   const auto refused = [&](const std::string& text) {
     return refusal<contact::InputError>([&] { read("a.sections", text); });
@@ -201,25 +186,6 @@ TEST_F(SectionList, SectionsTooNearForTheirDifferenceAreRefused) {
   EXPECT_TRUE(read("a.sections",
                    "0 sections/1.txt\n2 sections/1.txt\n4 sections/2.txt\n"
                    "6 sections/2.txt\n"));
-}
-
-TEST_F(SectionList, IsNotASectionOfAList) {
-  folder_.file("b.slcs", "0 1\n2\n0 0 0\n2\n0 a.sections\n1 a.sections\n");
-  for (const std::string name : {"a.sections", "b.slcs"})
-    EXPECT_TRUE(says(refusal<contact::InputError>(
-                         [&] { read("a.sections", "0 sections/1.txt\n1 " + name + "\n"); }),
-                     "a.sections:2: " + name + " is a list", "files with one profile"));
-}
-
-TEST_F(SectionList, IsRefusedForItsLengthBeforeAnyProfileIsRead) {
-  std::string rows, lengths = "0 none.txt";
-  for (int k = 0; k < 10001; ++k) rows += std::to_string(k) + " none.txt\n";
-  for (int k = 1; k <= 1001; ++k) lengths += " " + std::to_string(0.01 * k);
-  const auto refused = [&](const std::string& text) {
-    return refusal<contact::InputError>([&] { read("a.sections", text); });
-  };
-  EXPECT_TRUE(says(refused(rows), "10001 sections; allowed: at least two, at most 10000"));
-  EXPECT_TRUE(says(refused(lengths + "\n1" + lengths.substr(1)), "1001 features", "up to 1000"));
 }
 
 /// A wheel of 8 sections, of which every second one is 0.5 mm lower.
@@ -260,17 +226,6 @@ TEST_F(SectionList, OfPartOfAWheelIsRoundBeyondAndRepeatsAfterATurn) {
       EXPECT_NEAR(height_at(*flat, angle + 2.0 * contact::pi * turns, 3.0).z,
                   height_at(*flat, angle, 3.0).z, 1e-12);
   EXPECT_GT(height_at(*flat, 0.0, 3.0).z, round + 0.4);
-}
-
-TEST_F(SectionList, OfAWheelEndsAsItBeganAndNotBeyondATurn) {
-  const auto refused = [&](const std::string& text) {
-    return refusal<contact::InputError>([&] { read("a.sections", text, true); });
-  };
-  EXPECT_TRUE(says(refused(octagon() + "6.2832 sections/2.txt\n"),
-                   "a.sections:9: a full turn ends with another section", "leave this line out"));
-  EXPECT_TRUE(says(refused(octagon() + "6.29 sections/1.txt\n"), "a.sections:9: angles over 6.29",
-                   "2 pi = 6.283185"));
-  EXPECT_TRUE(says(refused(octagon(45.0)), "angles over 315", "angles in rad"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Files of values on a lattice: reading, interpolation, and every possible error.
+// Files of values on a lattice: reading and interpolation.
 #include "contact/case/lattice.hpp"
 
 #include "contact/base/errors.hpp"
@@ -13,10 +13,6 @@ class LatticeFile : public ::testing::Test {
  protected:
   Lattice read(const std::string& text, int columns = 1) const {
     return read_lattice(folder_.file("points.csv", text), "points.csv", columns);
-  }
-
-  std::string error_of(const std::string& text, int columns = 1) const {
-    return refusal<InputError>([&] { read(text, columns); });
   }
 
   /// A lattice of nx by ny points, 0.5 by 0.25 mm apart, in the usual form.
@@ -82,25 +78,6 @@ TEST_F(LatticeFile, OrderOfLinesSeparatorsAndRoundingDoNotMatter) {
   EXPECT_NEAR(lattice.dx, 1.0 / 3.0, 1e-12);
   EXPECT_NEAR(lattice_value(lattice, 0, 2.0 / 3.0, 0.5), 2.0, 1e-9);
   EXPECT_NEAR(lattice_value(lattice, 1, 0.1, 1.0 / 3.0), 10.0, 1e-9);
-}
-
-TEST_F(LatticeFile, EveryDefectIsNamedWithItsLine) {
-  const std::string good = points(4, 4, cubic);
-  EXPECT_TRUE(says(error_of(good + "1, 2\n"), "points.csv:17: has 2 numbers, not 3"));
-  EXPECT_TRUE(says(error_of("0, 0, nan\n" + good), "points.csv:1: 'nan' is not"));
-  EXPECT_TRUE(says(error_of(good + "0.1, 0, 1\n"), "regular lattice"));
-  EXPECT_TRUE(says(error_of(good + "-2, -1, 1\n"),
-                   "points.csv:17: the point (-2, -1) was given before, "
-                   "in line 1"));
-  EXPECT_TRUE(says(error_of(good.substr(good.find('\n') + 1)), "lacks (-2, -1)"));
-  EXPECT_TRUE(says(error_of(points(3, 4, cubic)), "3 different values of x"));
-  EXPECT_TRUE(says(error_of(""), "has no points"));
-  EXPECT_TRUE(says(error_of("x,y,h\nonly,words,here\n"), "has no points"));
-  // Messages never quote the contents of files that hold no lattice.
-  EXPECT_FALSE(says(error_of("root:x:0:0\nuser:secret:1000\n"), "secret"));
-  EXPECT_THROW(read_lattice("/nowhere/points.csv", "points.csv", 1), InputError);
-  for (const std::string& text : {good + "1, 2\n", good + "0.1, 0, 1\n", std::string()})
-    EXPECT_TRUE(says(error_of(text), "; do: "));
 }
 
 TEST_F(LatticeFile, AGridBeyondThePointsIsRefused) {

@@ -77,23 +77,6 @@ TEST(PlasticityKeys, ReadResidualStressFromAFileAsFromLists) {
   const Case stored = read("0, -100, -80\n2, 20, 10\n");
   const std::string moved = contact::text_in_folder(stored, folder.path("results/run"));
   EXPECT_NE(moved.find("residual_file = \"../../measured.csv\""), std::string::npos) << moved;
-
-  const auto refused = [&](const std::string& lines, const std::string& more = "") {
-    return refusal<contact::InputError>([&] { read(lines, more); });
-  };
-  EXPECT_TRUE(
-      says(refused("0, 1, 2\n1, 2\n"), "measured.csv:2: has 2 numbers, not 3: depth, along"));
-  EXPECT_TRUE(says(refused("0, 1, 2\n1, 2, x\n"), "measured.csv:2: 'x' is not a finite number"));
-  EXPECT_TRUE(says(refused("0, 1, 2\n3, 1, 2\n3, 2, 1\n"), "measured.csv:3: the depth 3 does not"));
-  EXPECT_TRUE(says(refused("-1, 1, 2\n"), "measured.csv:1: the depth -1 does not ascend from 0"));
-  EXPECT_TRUE(says(refused("# nothing\n"), "measured.csv: has no points", "depth, along, across"));
-  EXPECT_TRUE(says(refused("0, 1, 2\n", "residual_along = 3.0\n"), "rail_plasticity.residual_file",
-                   "stands beside lists", "do: remove one of the two"));
-  folder.file("case.toml",
-              plus("[rail_plasticity]\nyield_stress = 520.0\nresidual_file = \"no.csv\"\n"));
-  EXPECT_TRUE(
-      says(refusal<contact::InputError>([&] { contact::read_case(folder.path("case.toml")); }),
-           "no.csv: there is no such file"));
 }
 
 TEST(PlasticityKeys, CountTheLoadPointsOfACycle) {
