@@ -53,6 +53,8 @@ BASIS = {
                   "program: 5 % for both, more than a test of the method can use.",
     "falling-friction": "CONTACT has four digits on the same elements; what differs is where its memory begins. The law is exact "
                         "in full sliding but for elastic strains; FASTSIM's flexibilities are those of another table.",
+    "yielding-layer": "closed forms; elements are in contact or not (2 % of the patch at 40 across, 0.5 % at 160) and coarser than the "
+                      "kinks of a brush; order 2 in the force; steps are of first order.",
     "measured": "Carter's closed form is exact, collocation with a layer good to 1e-5 of mu; second order in 80 elements. "
                 "What was measured is known to half a unit of the last printed digit of the heat (4 % at the smallest slip) and "
                 "to scatter of some 10 %: shown, not judged.",

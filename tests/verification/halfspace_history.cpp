@@ -8,8 +8,6 @@
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 
-#include "support/cattaneo_mindlin.hpp"
-#include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"
 
 namespace {
@@ -37,11 +35,6 @@ ModelResult pushed(Case input, const std::vector<double>& parts) {
   return halfspace::run_halfspace(input, {});
 }
 
-CattaneoMindlin exact(const Case& input) {
-  return {halfspace::hertz_of_scene(input),
-          contact::combine(input.wheel.material, input.rail.material), 0.4};
-}
-
 /// sqrt of the adhesion area over the patch area, both found below the element size: the traction
 /// falls short of its bound like a square root at the border of the adhesion area.
 double stick_ratio(const ModelResult& result, const PointResult& point) {
@@ -65,75 +58,20 @@ TEST(Cattaneo, ShiftAndStickRadiusOfTheBenchmarkAt40Elements) {
   EXPECT_NEAR(point.longitudinal_force, -0.875 * 0.4 * 9.1954, 1e-4);
 }
 
-TEST(Cattaneo, IsExactWithoutPoissonsRatio) {
-  const Case input = cattaneo(0.0, 40);
-  const CattaneoMindlin theory = exact(input);
-  const double unit = 0.4 * *input.load.normal_force;
-  const ModelResult result = pushed(input, {7.0 / 8.0, 0.0});
-  const PointResult& loaded = result.points[0];
-  EXPECT_NEAR(loaded.longitudinal_shift / theory.shift(0.875 * unit), 1.0, 5e-4);
-  EXPECT_NEAR(stick_ratio(result, loaded), 0.5, 0.003);
-  const PointResult& unloaded = result.points[1];
-  EXPECT_NEAR(unloaded.longitudinal_shift, theory.unloading_shift(0.875 * unit, 0.0),
-              2e-3 * loaded.longitudinal_shift);
-  // Tractions here are on the wheel and against the push. In the mean, for they have kinks.
-  const double peak = 0.4 * loaded.max_pressure;
-  double first = 0.0, second = 0.0;
-  for (int j = 0; j < result.grid.ny; ++j)
-    for (int i = 0; i < result.grid.nx; ++i) {
-      const double r = std::hypot(result.grid.x(i), result.grid.y(j));
-      const int k = result.grid.index(i, j);
-      first += std::abs(loaded.fields.traction.x[k] + theory.traction(0.875 * unit, r));
-      second +=
-          std::abs(unloaded.fields.traction.x[k] + theory.unloading_traction(0.875 * unit, 0.0, r));
-    }
-  const double elements = M_PI / result.grid.element_area();
-  EXPECT_LT(first / elements, 0.01 * peak);
-  EXPECT_LT(second / elements, 0.02 * peak);
-}
-
 TEST(Cattaneo, GoesOnByAShiftWhereAForceHasLedTo) {
   Case input = cattaneo(0.0, 40);
-  const double unit = 0.4 * *input.load.normal_force, all = exact(input).shift(0.8 * unit);
+  const double unit = 0.4 * *input.load.normal_force;
+  // Mindlin (1949): a = 1, G = 200, nu = 0.
+  const auto shift = [&](double part) {
+    return 3.0 * unit / 800.0 * (1.0 - std::pow(1.0 - part, 2.0 / 3.0));
+  };
   input.rolling.forces = {{-0.5 * unit, {}}, {}};
   input.rolling.creepages.resize(2);
   input.history.resize(2);
-  input.history[1].longitudinal_shift = all - exact(input).shift(0.5 * unit);
+  input.history[1].longitudinal_shift = shift(0.8) - shift(0.5);
   const PointResult point = halfspace::run_halfspace(input, {}).points.at(1);
-  EXPECT_NEAR(point.longitudinal_shift / all, 1.0, 1e-3);
+  EXPECT_NEAR(point.longitudinal_shift / shift(0.8), 1.0, 1e-3);
   EXPECT_NEAR(point.longitudinal_force / unit, -0.8, 1e-3);
-}
-
-/// Work of friction in the cycle that follows the first step, from tractions and slip.
-double loop_loss(const ModelResult& result) {
-  double loss = 0.0;
-  for (std::size_t k = 1; k < result.points.size(); ++k) {
-    const contact::ContactFields& fields = result.points[k].fields;
-    loss -= result.grid.element_area() *
-            (fields.traction.x.dot(fields.slip.x) + fields.traction.y.dot(fields.slip.y));
-  }
-  return loss;
-}
-
-TEST(Cattaneo, UnloadingLoopLosesTheWorkOfTheClosedForm) {
-  const std::vector<double> loop{0.875,   0.8085,  0.6187, 0.3348,  0.0,     -0.3348,
-                                 -0.6187, -0.8085, -0.875, -0.8085, -0.6187, -0.3348,
-                                 0.0,     0.3348,  0.6187, 0.8085,  0.875};
-  const Case plain = cattaneo(0.0, 30);
-  const ModelResult without = pushed(plain, loop);
-  const double amplitude = 0.875 * 0.4 * *plain.load.normal_force;
-  const double lost = loop_loss(without);
-  EXPECT_NEAR(lost / exact(plain).cyclic_loss(amplitude), 1.0, 0.003);
-  // The loop closes.
-  EXPECT_NEAR(without.points.back().longitudinal_shift / without.points[0].longitudinal_shift, 1.0,
-              1e-3);
-  const Case benchmark = cattaneo(0.42, 30);
-  const double q = 0.875 * 0.4 * *benchmark.load.normal_force;
-  const double lost_there = loop_loss(pushed(benchmark, loop));
-  EXPECT_NEAR(lost_there / exact(benchmark).cyclic_loss(q), 1.0, 0.01);
-  record("loss", lost);
-  record("normal_force", *plain.load.normal_force);
-  record("loss_of_the_benchmark", lost_there);
 }
 
 /// An elastic sphere of Spence's pressed on a rigid one with the first and these further forces.
@@ -148,32 +86,6 @@ Case pressed_sphere(const std::vector<double>& forces) {
   for (const double force : forces) input.history.emplace_back().normal_force = force;
   input.rolling.creepages.assign(forces.size(), {});
   return input;
-}
-
-TEST(Spence, ElasticSpherePressedOnARigidOne) {
-  // [ug]: G = 1, nu = 0, K = 0.5, mu = 0.2986: c/a = 0.5, p_n(0) = 1.31 of Hertz's. CONTACT's
-  // example at F = 0.4705 N: approach 0.09874 mm, 0.02392 MPa.
-  const double force = std::pow(70.0 / 90.0, 3);
-  std::vector<double> forces;
-  for (int k = 2; k <= 35; ++k) forces.push_back(force * std::pow(k / 35.0, 3));
-  Case input = pressed_sphere(forces);
-  input.load.normal_force = force;
-  input.contact_grid.cell_size = {{0.1, 0.1}};
-  EXPECT_NEAR(contact::combine(input.wheel.material, input.rail.material).difference, 0.5, 1e-12);
-  const ModelResult result = halfspace::run_halfspace(input, {});
-  const PointResult& point = result.points.back();
-  // By elements, of which there are some four thousand: not a square root at the border here.
-  const double adhesion = static_cast<double>(
-      std::count(point.fields.state.begin(), point.fields.state.end(), ElementState::adhesion));
-  const double contact = static_cast<double>((point.fields.traction.n.array() > 0.0).count());
-  EXPECT_NEAR(std::sqrt(adhesion / contact) / 0.5, 1.0, 0.01);
-  EXPECT_NEAR(point.max_pressure / halfspace::hertz_of_scene(input).max_pressure / 1.31, 1.0, 0.01);
-  EXPECT_NEAR(point.approach / 0.09874, 1.0, 0.002);
-  EXPECT_NEAR(point.max_pressure / 0.02392, 1.0, 0.003);
-  EXPECT_NEAR(point.longitudinal_force, 0.0, 1e-6 * force);
-  record("stick_ratio", std::sqrt(adhesion / contact));
-  record("pressure", point.max_pressure);
-  record("approach", point.approach);
 }
 
 TEST(Spence, FirstStepOnFourElements) {

@@ -14,8 +14,9 @@ from .kalker import kalker
 from .rolling import benchmark_9, bentall_johnson, carter, fastsim, nowell_hills
 from .stress import stress_case_a, stress_circle
 from .thesis import half_space_limits, thesis_cases
+from .yielding import yielding_layer
 
 ALL = [hertz, grid_order, steuermann, cattaneo, spence, carter, bentall_johnson, nowell_hills, kalker, benchmark_9,
        fastsim, transient, creep_frequency, stress_circle, stress_case_a, elements, persson, fem_hertz, incompressible,
        inertia, thesis_cases, half_space_limits, calculix, hybrid, curvature_slip, conformal_contact, wheel_on_rail,
-       manchester, measured, falling_friction]
+       manchester, measured, falling_friction, yielding_layer]
