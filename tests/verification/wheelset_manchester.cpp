@@ -11,7 +11,7 @@
 namespace {
 
 /// At these lateral shifts, mm, with the profiles of the program.
-rollfem::contact::Case left_wheel(const std::vector<double>& shifts) {
+rollfem::contact::Case shifted_left_wheel(const std::vector<double>& shifts) {
   auto input = manchester_case(0.0, 0.0);
   input.file = "manchester";
   // CONTACT lays the patch in a plane and knows creepages and spin alone.
@@ -68,7 +68,7 @@ rollfem::contact::Scene as_contact_lays_it(rollfem::contact::Scene scene, const 
 TEST(ManchesterBenchmark, TractionsAreContactsWhereDifferencesElementsAndReferenceAre) {
   std::vector<double> shifts;
   for (const FrictionRow& row : friction_rows) shifts.push_back(row.shift);
-  const auto balanced = rollfem::track::balance(left_wheel(shifts));
+  const auto balanced = rollfem::track::balance(shifted_left_wheel(shifts));
   ASSERT_EQ(balanced.scenes.size(), friction_rows.size());
   for (std::size_t k = 0; k < friction_rows.size(); ++k) {
     const FrictionRow& row = friction_rows[k];
