@@ -5,6 +5,11 @@ import os
 
 # CONTACT rev 2707 run for this project on case a: p0 by elements across.
 CONTACT_PRESSURE_A = {20: 577.730282, 40: 578.643455, 80: 578.888652, 160: 578.947893}
+# Its errors in p0 against Hertz, and its elements in contact, by case and elements across; in its approach of case a.
+CONTACT_PRESSURE_ERRORS = {"a": {20: (-2.137e-3, 324), 40: (-5.595e-4, 1276), 80: (-1.360e-4, 5052)},
+                           "b": {20: (-2.063e-3, 316), 40: (-5.528e-4, 1272), 80: (-1.347e-4, 5048)},
+                           "c": {20: (-2.119e-3, 320), 40: (-5.579e-4, 1276), 80: (-1.357e-4, 5052)}}
+CONTACT_APPROACH_ERRORS = {40: (-1.424e-4, 2e-6), 80: (-3.184e-5, 1e-6)}  # and what rounding leaves open
 # -F_x/F_z of case a by creepage: CONTACT on 80 and 160 elements across, extrapolated with order 1, which its
 # differences show there (+-0.0005; four grids fitted together give up to 0.0005 more).
 CONTACT_CURVE_A = {0.0005: 0.11542, 0.001: 0.21565, 0.002: 0.37221, 0.003: 0.47467, 0.004: 0.53016,
