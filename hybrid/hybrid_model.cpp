@@ -50,13 +50,13 @@ class HybridElasticity : public halfspace::PreconditionedElasticity {
           (std::max(-patch.x_lower, patch.x_upper) <= box.half_length &&
            std::max(box.middle - patch.y_lower, patch.y_upper - box.middle) <= box.half_width))
         continue;
-      throw contact::SolveError(fmt::format(
-          "{}the contact reaches over x = {:.4g} to {:.4g} mm, y = {:.4g} to {:.4g} mm, the "
-          "correction for wheel and rail over {:.4g} to {:.4g} mm, {:.4g} to {:.4g} mm; do: run "
-          "with --model fem",
-          scene_.patch_prefix(), patch.x_lower, patch.x_upper, patch.y_lower, patch.y_upper,
-          -box.half_length, box.half_length, box.middle - box.half_width,
-          box.middle + box.half_width));
+      throw contact::SolveError(
+          scene_.where(),
+          "the contact reaches over x = {:.4g} to {:.4g} mm, y = {:.4g} to {:.4g} mm, the "
+          "correction for wheel and rail over {:.4g} to {:.4g} mm, {:.4g} to {:.4g} mm; do: "
+          "run with --model fem",
+          patch.x_lower, patch.x_upper, patch.y_lower, patch.y_upper, -box.half_length,
+          box.half_length, box.middle - box.half_width, box.middle + box.half_width);
     }
   }
 
@@ -151,10 +151,11 @@ ModelResult run_hybrid(const Scene& scene, const contact::Progress& progress,
   result.seconds["correction"] = seconds;
   result.seconds["total"] = watch.seconds();
   result.notes.insert(result.notes.end(), parts.notes.begin(), parts.notes.end());
-  result.notes.push_back(fmt::format(
-      "the correction for wheel and rail as curved, finite bodies comes from {} finite-element "
-      "unknowns; the error estimates include a tenth of the change it causes",
-      parts.unknowns));
+  contact::add_note(result.notes, "correction",
+                    "the correction for wheel and rail as curved, finite bodies comes from {} "
+                    "finite-element "
+                    "unknowns; the error estimates include a tenth of the change it causes",
+                    parts.unknowns);
   return result;
 }
 

@@ -6,7 +6,11 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
+<<<<<<< HEAD:hybrid/smooth_map.hpp
 #include "halfspace/stress/subsurface.hpp"
+=======
+#include "contact/result/note.hpp"
+>>>>>>> bc2e8b05 (Notes, missing error bars and places of failures are data):halfspace/elasticity/smooth_map.hpp
 
 #include <Eigen/Core>
 
@@ -60,9 +64,9 @@ struct SmoothParts {
   SmoothMap rail;
   SmoothDepthMap wheel_below;
   SmoothDepthMap rail_below;
-  bool stresses = false;           ///< the subsurface maps were computed
-  long unknowns = 0;               ///< of the finite elements
-  std::vector<std::string> notes;  ///< description of the computation
+  bool stresses = false;             ///< the subsurface maps were computed
+  long unknowns = 0;                 ///< of the finite elements
+  std::vector<contact::Note> notes;  ///< description of the computation
 };
 
 /// A map with its polynomials at the elements of a grid whose y runs along the common surface.

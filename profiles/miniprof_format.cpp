@@ -12,7 +12,6 @@ namespace rollfem::profiles {
 
 namespace {
 
-using contact::InputError;
 using contact::TextLines;
 using contact::trimmed;
 
@@ -39,14 +38,7 @@ ProfilePoints chosen(const std::vector<MiniprofPart>& parts, const contact::Prof
   }
   if (count == 0) return {};
   if (count == 1 && source.section.empty()) return last->points;
-  throw InputError(fmt::format(
-      "{}: {}; allowed: {}; do: put `section = \"{}\"`, or the name of another one, under "
-      "[{}_profile]",
-      source.name,
-      source.section.empty()
-          ? fmt::format("holds {} profiles", count)
-          : fmt::format("section = \"{}\" is not one of its profiles", source.section),
-      found, last->section, wheel ? "wheel" : "rail"));
+  refuse_section(source, wheel, fmt::format("holds {} profiles", count), found, last->section);
 }
 
 /// Old headers are plain words, rows of numbers with words among them, and up to an empty line.

@@ -98,6 +98,18 @@ void not_numbers(const std::string& file, const TextLines& at, const std::string
                   file, at.number(), contact::printable(field)));
 }
 
+void refuse_section(const contact::ProfileSource& source, bool wheel, const std::string& several,
+                    const std::string& allowed, const std::string& one) {
+  throw InputError(fmt::format(
+      "{}: {}; allowed: {}; do: put `section = \"{}\"`, or the name of another one, under "
+      "[{}_profile]",
+      source.name,
+      source.section.empty()
+          ? several
+          : fmt::format("section = \"{}\" is not one of its profiles", source.section),
+      allowed, one, wheel ? "wheel" : "rail"));
+}
+
 void too_few_numbers(const std::string& file, const TextLines& at) {
   throw InputError(
       fmt::format("{}:{}: only one number; allowed: two columns, y and z; do: complete the line",

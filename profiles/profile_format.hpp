@@ -78,6 +78,11 @@ void add(ProfilePoints& points, double y, double z, const contact::TextLines& at
 
 [[noreturn]] void not_numbers(const std::string& file, const contact::TextLines& at,
                               const std::string& field);
+/// `section` names no profile of the file, or is missing where `several` says why it is needed.
+/// `allowed`: the sections; `one` of them.
+[[noreturn]] void refuse_section(const contact::ProfileSource& source, bool wheel,
+                                 const std::string& several, const std::string& allowed,
+                                 const std::string& one);
 [[noreturn]] void too_few_numbers(const std::string& file, const contact::TextLines& at);
 
 }  // namespace rollfem::profiles

@@ -94,14 +94,9 @@ ProfilePoints chosen(const std::array<ProfilePoints, 2>& sides,
                                        sides[0].list[k].z - sides[1].list[k].z));
   if (source.section == "left" || (source.section.empty() && apart < rounding)) return sides[0];
   if (source.section == "right") return sides[1];
-  throw InputError(fmt::format(
-      "{}: {}; allowed: left, right; do: put `section = \"left\"` or `section = \"right\"` under "
-      "[{}_profile]",
-      source.name,
-      source.section.empty()
-          ? fmt::format("its left and right profiles differ by up to {:.3g} mm", apart)
-          : fmt::format("section = \"{}\" is not one of its profiles", source.section),
-      wheel ? "wheel" : "rail"));
+  refuse_section(source, wheel,
+                 fmt::format("its left and right profiles differ by up to {:.3g} mm", apart),
+                 "left, right", "left");
 }
 
 ProfilePoints read_vampire(std::string_view text, const contact::ProfileSource& source,

@@ -80,11 +80,10 @@ contact::Field fill_fields(const EllipticPatch& patch, contact::PointResult& poi
 
 /// Values that depend on no grid or number of strips.
 void note_closed_form(const contact::Scene& scene, contact::PointResult& point) {
-  namespace no_bar = contact::no_bar;
   for (const contact::Quantity& quantity : contact::quantities())
     if (quantity.of_friction() || quantity.name == std::string("adhesion_area"))
-      point.no_bar.emplace(quantity.name,
-                           scene.material.couples() ? no_bar::theory : no_bar::exact);
+      point.no_bar.emplace(
+          quantity.name, scene.material.couples() ? contact::NoBar::theory : contact::NoBar::exact);
 }
 
 }  // namespace
@@ -156,10 +155,11 @@ contact::ModelResult run_carter(const contact::Scene& scene, const contact::Prog
   };
   contact::ModelResult result =
       run_theory(scene, patch.grid, patch.normal, "carter", progress, fill);
-  result.notes.push_back(scene.geometry.line
-                             ? "Carter's closed form of line contact: exact for like materials"
-                             : "Carter by strips: error estimates cover the resolution only; the "
-                               "theory is for patches much wider than long");
+  result.notes.push_back(
+      {"bars", scene.geometry.line
+                   ? "Carter's closed form of line contact: exact for like materials"
+                   : "Carter by strips: error estimates cover the resolution only; the "
+                     "theory is for patches much wider than long"});
   return result;
 }
 

@@ -176,10 +176,12 @@ contact::ModelResult run_polach(const contact::Scene& scene, const contact::Prog
   contact::ModelResult result =
       run_theory(scene, patch.grid, patch.normal, "polach", progress, fill);
   result.notes.push_back(
-      "Polach's formula gives forces only: tractions are spread like the pressure, and the "
-      "adhesion area is the whole patch");
+      {"theory",
+       "Polach's formula gives forces only: tractions are spread like the pressure, and the "
+       "adhesion area is the whole patch"});
   if (patch.falling && patch.falling->memory())
-    result.notes.push_back("friction is that of the rigid slip; memory_distance is neglected");
+    result.notes.push_back(
+        {"memory_distance", "friction is that of the rigid slip; memory_distance is neglected"});
   return result;
 }
 

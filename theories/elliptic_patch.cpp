@@ -84,7 +84,8 @@ contact::ModelResult run_theory(const contact::Scene& scene, const contact::Cont
   result.contact_elements = pressed_elements(normal);
   if (scene.material.difference != 0.0)
     result.notes.push_back(
-        "unlike materials: combined constants, without coupling of pressure and friction");
+        {"unlike_materials",
+         "unlike materials: combined constants, without coupling of pressure and friction"});
   for (const contact::LoadPoint& load_point : scene.points) {
     const contact::Stopwatch watch_of_point;
     contact::PointResult point = normal;
@@ -190,8 +191,10 @@ contact::ModelResult run_hertz(const contact::Scene& scene, const contact::Progr
   point.seconds = result.seconds["total"] = watch.seconds();
   result.points.push_back(std::move(point));
   result.notes = {
-      "Hertz has no friction: one load point at creepage 0, without tangential tractions",
-      "patch, pressure, approach and area are exact; the fields are sampled at element centres"};
+      {"friction",
+       "Hertz has no friction: one load point at creepage 0, without tangential tractions"},
+      {"patch",
+       "patch, pressure, approach and area are exact; the fields are sampled at element centres"}};
   report_done(result, "normal", 0, progress);
   return result;
 }

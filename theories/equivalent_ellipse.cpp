@@ -176,17 +176,19 @@ void return_to_patch_frame(const Scene& scene, const EquivalentEllipse& ellipse,
         place[1] += y;
       }
   }
-  result.notes.push_back(fmt::format(
-      "true profiles: the theory is solved on the ellipse of the same area and ratio of extents as "
-      "the half-space patch, semi-axes {:.4g} and {:.4g} mm about its centre of pressure ({:.3g}, "
-      "{:.3g}) mm; the half-space patch is {:.4g} by {:.4g} mm with p0 = {:.4g} MPa",
-      ellipse.semi_axis_x, ellipse.semi_axis_y, x, y, patch.length, patch.width,
-      patch.max_pressure));
+  contact::add_note(result.notes, "profiles",
+                    "true profiles: the theory is solved on the ellipse of the same area and ratio "
+                    "of extents as "
+                    "the half-space patch, semi-axes {:.4g} and {:.4g} mm about its centre of "
+                    "pressure ({:.3g}, "
+                    "{:.3g}) mm; the half-space patch is {:.4g} by {:.4g} mm with p0 = {:.4g} MPa",
+                    ellipse.semi_axis_x, ellipse.semi_axis_y, x, y, patch.length, patch.width,
+                    patch.max_pressure);
   if (patch.gaps > 0.0)
-    result.notes.push_back(
-        fmt::format("the contact consists of several patches with {:.4g} mm of its {:.4g} mm "
-                    "between them: one ellipse represents all; halfspace and strip resolve each",
-                    patch.gaps, patch.width));
+    contact::add_note(result.notes, "several_patches",
+                      "the contact consists of several patches with {:.4g} mm of its {:.4g} mm "
+                      "between them: one ellipse represents all; halfspace and strip resolve each",
+                      patch.gaps, patch.width);
 }
 
 }  // namespace
@@ -206,7 +208,7 @@ ModelResult run_hertz_of_patch(const Scene& scene, const contact::Progress& prog
   local.geometry = {};
   local.geometry.quadratic = {curvatures.A, curvatures.B};
   ModelResult result = run_hertz(local, progress);
-  result.notes.back() =
+  result.notes.back().text =
       "patch, pressure, approach and area follow from the curvatures at the contact point; the "
       "fields are sampled at element centres";
   const halfspace::ExpectedPatch patch = halfspace::PatchSearch(scene).patch();
@@ -214,12 +216,13 @@ ModelResult run_hertz_of_patch(const Scene& scene, const contact::Progress& prog
   if (differs(2.0 * hertz.semi_axis_x, patch.length) ||
       differs(2.0 * hertz.semi_axis_y, patch.width) ||
       differs(hertz.max_pressure, patch.max_pressure))
-    result.notes.push_back(
-        fmt::format("the profiles do not form an ellipse: Hertz uses the curvatures at the contact "
-                    "point (A = {:.4g}, B = {:.4g} /mm) and finds {:.4g} by {:.4g} mm with p0 = "
-                    "{:.4g} MPa; the half-space finds {:.4g} by {:.4g} mm with p0 = {:.4g} MPa",
-                    curvatures.A, curvatures.B, 2.0 * hertz.semi_axis_x, 2.0 * hertz.semi_axis_y,
-                    hertz.max_pressure, patch.length, patch.width, patch.max_pressure));
+    contact::add_note(
+        result.notes, "ellipse",
+        "the profiles do not form an ellipse: Hertz uses the curvatures at the contact "
+        "point (A = {:.4g}, B = {:.4g} /mm) and finds {:.4g} by {:.4g} mm with p0 = "
+        "{:.4g} MPa; the half-space finds {:.4g} by {:.4g} mm with p0 = {:.4g} MPa",
+        curvatures.A, curvatures.B, 2.0 * hertz.semi_axis_x, 2.0 * hertz.semi_axis_y,
+        hertz.max_pressure, patch.length, patch.width, patch.max_pressure);
   return result;
 }
 

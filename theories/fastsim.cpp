@@ -164,10 +164,11 @@ contact::ModelResult run_brushes(bool adhesion_of_strips, const contact::Scene& 
       run_theory(with_creepages_of_forces(scene, transmitted, patch.falling != nullptr), patch.grid,
                  patch.normal, adhesion_of_strips ? "fastrip" : "fastsim", progress, fill);
   result.unknowns = unknowns;
-  result.notes.push_back(
-      fmt::format("{}: error estimates cover the resolution only; see model_error for the error of "
-                  "the theory itself",
-                  adhesion_of_strips ? "FaStrip" : "FASTSIM"));
+  contact::add_note(
+      result.notes, "bars",
+      "{}: error estimates cover the resolution only; see model_error for the error of "
+      "the theory itself",
+      adhesion_of_strips ? "FaStrip" : "FASTSIM");
   return result;
 }
 

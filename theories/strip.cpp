@@ -432,12 +432,13 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
                                            normal, "strip", progress, fill);
   result.unknowns = unknowns;
   result.notes.push_back(
-      "strip model: error estimates cover the resolution only; no gap outside the contact");
+      {"bars",
+       "strip model: error estimates cover the resolution only; no gap outside the contact"});
   if (options.virtual_penetration)
-    result.notes.push_back(
-        fmt::format("virtual penetration of {:g} of the approach: an elliptic patch agrees with "
-                    "Hertz only at its own value of this fraction",
-                    *options.virtual_penetration));
+    contact::add_note(result.notes, "virtual_penetration",
+                      "virtual penetration of {:g} of the approach: an elliptic patch agrees with "
+                      "Hertz only at its own value of this fraction",
+                      *options.virtual_penetration);
   return result;
 }
 

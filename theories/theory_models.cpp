@@ -71,10 +71,11 @@ ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& sc
   const halfspace::ExpectedPatch patch = halfspace::PatchSearch(scene).patch();
   const double largest = contact::largest_extra_slip(scene.geometry, patch.y_lower, patch.y_upper);
   if (largest > smallest_slip_worth_a_note)
-    result.notes.push_back(fmt::format(
-        "the slip from the different rolling radii of the wheel's surface, up to "
-        "{:.3g}, is neglected by this theory; fastsim, fastrip, strip and halfspace include it",
-        largest));
+    contact::add_note(result.notes, "extra_slip",
+                      "the slip from the different rolling radii of the wheel's surface, up to "
+                      "{:.3g}, is neglected by this theory; fastsim, fastrip, strip and halfspace "
+                      "include it",
+                      largest);
   return result;
 }
 
@@ -107,7 +108,7 @@ contact::Model with_pass_work(const contact::Model& theory) {
     for (PointResult& point : result.points)
       for (const contact::Quantity& quantity : contact::quantities())
         if (is_pass_work(quantity.name) && quantity.value(point))
-          point.no_bar.insert_or_assign(quantity.name, contact::no_bar::one_grid);
+          point.no_bar.insert_or_assign(quantity.name, contact::NoBar::one_grid);
     return result;
   };
 }
@@ -175,7 +176,7 @@ void add_errors(const PointResult& half, const Exact& exact, bool with_friction,
     const auto other = quantity.value(half);
     const auto bar = half.error_estimate.find(quantity.name);
     const auto word = half.no_bar.find(quantity.name);
-    const bool given = word != half.no_bar.end() && word->second == contact::no_bar::given;
+    const bool given = word != half.no_bar.end() && word->second == contact::NoBar::given;
     if (!value || !other || given || !has_error_estimate(quantity, with_friction)) continue;
     if (exact.has(quantity)) {
       theory.model_error[quantity.name] = 0.0;
@@ -190,7 +191,7 @@ void add_errors(const PointResult& half, const Exact& exact, bool with_friction,
 
 /// Sets PointResult::model_error of a theory's values: 0 where it is exact for half-spaces,
 /// otherwise from a half-space solution of the same scene with 32 elements across, the difference
-/// and half of that solution's own bar. Where the half-space has no result, model_error_source
+/// and half of that solution's own bar. Where the half-space has no result, a warning
 /// states the reason.
 void estimate_model_error(const Scene& scene, const TheoryKind& kind,
                           const contact::Progress& progress, ModelResult& theory) {
@@ -206,25 +207,26 @@ void estimate_model_error(const Scene& scene, const TheoryKind& kind,
     contact::explain_bars(rough, {}, half);
     for (std::size_t k = 0; k < theory.points.size() && k < half.points.size(); ++k)
       add_errors(half.points[k], exact, kind.with_friction, theory.points[k]);
-    theory.model_error_source =
-        exact.all(kind)
-            ? std::string("none: exact for half-spaces")
-            : fmt::format(
-                  "difference from the half-space with {} elements across, plus half its error "
-                  "bar{}",
-                  elements_of_theories, exact.patch ? "; patch and pressure are exact" : "");
+    theory.notes.push_back(
+        {contact::about_model_error,
+         exact.all(kind)
+             ? std::string("none: exact for half-spaces")
+             : fmt::format(
+                   "difference from the half-space with {} elements across, plus half its error "
+                   "bar{}",
+                   elements_of_theories, exact.patch ? "; patch and pressure are exact" : "")});
   } catch (const contact::Failure& error) {
-    theory.model_error_source =
-        fmt::format("not estimated: no result of the half-space with {} elements across ({})",
-                    elements_of_theories, error.what());
+    contact::add_warning(theory.notes, contact::about_model_error,
+                         "not estimated: no result of the half-space with {} elements across ({})",
+                         elements_of_theories, error.what());
   }
   // Not part of the total, which is the cost of the theory.
   theory.seconds["model error"] = watch.seconds();
 }
 
 /// A theory on Hertz's ellipse: closed forms throughout, or strips with error estimates.
-constexpr contact::BarRules closed_form{true, contact::no_bar::theory};
-constexpr contact::BarRules strips_on_ellipse{true, contact::no_bar::not_estimated};
+constexpr contact::BarRules closed_form{true, contact::NoBar::theory};
+constexpr contact::BarRules strips_on_ellipse{true, contact::NoBar::not_estimated};
 
 /// A theory of an elliptic patch: `more` than the keys that all of them support. No checkpoint, for
 /// a theory takes no time; its model error (difference from the half-space) is added.

@@ -50,14 +50,17 @@ std::string taken_by(const Scenes& scenes, const contact::ModelRegistry& models)
 /// Fills `scenes`, those of a wheelset before its balance, and returns what a run of the case
 /// refuses before it solves anything.
 std::vector<std::string> refusals_of(const contact::Case& input,
-                                     const contact::ModelRegistry& models, Scenes& scenes) {
+                                     const contact::ModelRegistry& models,
+                                     const modelling::Placed& placed, Scenes& scenes) {
   std::vector<std::string> refusals;
   const auto try_to = [&](const std::function<void()>& step) {
     const auto done = contact::attempt([&] { return step(), true; });
     if (!done) refusals.push_back(done.why);
   };
   try_to([&] { modelling::check_alone(models, input.models, input.file + ": models"); });
-  try_to([&] { scenes = modelling::unbalanced_scenes(input, modelling::placed_wheels(input)); });
+  try_to([&] {
+    scenes = modelling::unbalanced_scenes(input, placed ? placed : modelling::placed_wheels(input));
+  });
   for (const std::string& name : input.models)
     try_to([&] {
       for (const contact::Scene& scene : scenes) models.check(scene, name);
@@ -84,10 +87,9 @@ std::vector<std::string> warnings_of(const contact::Case& input) {
     }
     return warnings;
   }
-  const std::string mark = "warning: ";
   try {
-    for (const std::string& note : theories::models().run("hertz", input, {}).notes)
-      if (note.rfind(mark, 0) == 0) warnings.push_back(note.substr(mark.size()));
+    for (const contact::Note& note : theories::models().run("hertz", input, {}).notes)
+      if (note.severity == contact::Note::warning) warnings.push_back(note.text);
   } catch (const contact::SolveError& error) {
     warnings.push_back(fmt::format("{}: {}", input.file, error.what()));
   } catch (const contact::InputError&) {
@@ -122,11 +124,14 @@ void check_case(const CheckRequest& request) {
   std::cout << contact::describe(input, modelling::model_words(models))
             << contact::derived_values(input);
   std::vector<std::string> warnings = warnings_of(input);
-  if (input.has_profiles() && !request.json)
+  modelling::Placed placed;
+  if (input.has_profiles() && !request.json) {
+    placed = modelling::placed_wheels(input);
     std::cout << "\nwhere wheel and rail touch\n"
-              << modelling::contacts_text(input, track::search_scene_of(input)) << '\n';
+              << modelling::contacts_text(input, placed->search) << '\n';
+  }
   Scenes scenes;
-  for (std::string& refusal : refusals_of(input, models, scenes))
+  for (std::string& refusal : refusals_of(input, models, placed, scenes))
     warnings.push_back(std::move(refusal));
   warn(warnings);
   if (request.json) {

@@ -148,39 +148,34 @@ Verdict checked(const fs::path& path, const contact::ModelRegistry& models) {
   return verdict;
 }
 
-void add_note(convert::CaseFile& made, const std::string& note) {
-  made.text.insert(made.text.find("\ntitle = "), fmt::format("# note: {}\n", note));
+/// The case file with other keys, and a note on them.
+convert::CaseFile with_keys(convert::CaseFile made, const std::vector<std::string>& keys,
+                            const std::string& note) {
+  made.text =
+      fmt::format("# note: {}\n{}", note, contact::with_changes(made.text, made.name, keys));
   made.notes.push_back(note);
-}
-
-/// The case file with finer cells than CONTACT's, and a note on them.
-convert::CaseFile with_cells(convert::CaseFile made, const Cells& cells) {
-  const std::string given = "cell_size = ";
-  const std::size_t at = made.text.find(given), end = made.text.find('\n', at);
-  made.text.replace(at, end - at, fmt::format("{}[{:.12g}, {:.12g}]", given, cells[0], cells[1]));
-  add_note(made, fmt::format("elements of {:g} by {:g} mm instead of DX by DS, which are too few "
-                             "across a patch",
-                             cells[0], cells[1]));
   return made;
 }
 
-/// The case file with the keys that repair the points of a profile, as CONTACT does unasked, and a
-/// note on them.
+/// With finer cells than CONTACT's.
+convert::CaseFile with_cells(convert::CaseFile made, const Cells& cells) {
+  return with_keys(
+      std::move(made),
+      {fmt::format("contact_grid.cell_size = [{:.12g}, {:.12g}]", cells[0], cells[1])},
+      fmt::format(
+          "elements of {:g} by {:g} mm instead of DX by DS, which are too few across a patch",
+          cells[0], cells[1]));
+}
+
+/// With the keys that repair the points of a profile, as CONTACT does unasked.
 convert::CaseFile with_repairs(convert::CaseFile made, const profiles::RepairableProfile& profile) {
   const std::string body = profile.of_wheel ? "wheel" : "rail";
-  const std::string head = fmt::format("\n[{}_profile]\n", body);
-  if (made.text.find(head) == std::string::npos) made.text.insert(made.text.find("\n["), head);
-  for (const std::string& repair : profile.repairs) {
-    const std::size_t section = made.text.find(head) + head.size();
-    const std::string key = "\n" + repair.substr(0, repair.find('=') + 1);
-    const std::size_t given = made.text.find(key, section - 1);
-    if (given < made.text.find("\n[", section - 1))
-      made.text.erase(given, made.text.find('\n', given + 1) - given);
-    made.text.insert(section, repair + "\n");
-  }
-  add_note(made, fmt::format("points of the profile of the {} are repaired: {}", body,
-                             fmt::join(profile.repairs, ", ")));
-  return made;
+  std::vector<std::string> keys;
+  for (const std::string& repair : profile.repairs)
+    keys.push_back(fmt::format("{}_profile.{}", body, repair));
+  return with_keys(std::move(made), keys,
+                   fmt::format("points of the profile of the {} are repaired: {}", body,
+                               fmt::join(profile.repairs, ", ")));
 }
 
 void refuse(const std::string& file, const Refused& refused, bool nothing_left) {
@@ -206,9 +201,9 @@ void warn_of_missing_profiles(const std::vector<convert::ContactCase>& cases,
   }
   for (const std::string& name : names)
     if (!fs::exists(file.parent_path() / name))
-      std::cerr << fmt::format(
-          "warning: the profile {} does not exist; do: put it beside {} before running the cases\n",
-          name, file.string());
+      warn({fmt::format(
+          "the profile {} does not exist; do: put it beside {} before running the cases", name,
+          file.string())});
 }
 
 convert::Conversion conversion_of(const ConvertRequest& request,

@@ -84,10 +84,10 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
   std::cout << record.input.title << "\n\n"
             << run_table(record.models)
             << postprocess::wheelset_table(record, model_to_tell(record, models));
-  std::cout << '\n' << notes_text(record.models, false);
+  std::cout << '\n' << notes_text(record.models, contact::Note::remark);
   tell_where(directory, "report.html", drawn);
   tell_what_is_not_stored(record, models);
-  std::cout << notes_text(record.models, true);
+  std::cout << notes_text(record.models, contact::Note::warning);
   if (!record.verdict.empty()) std::cout << "warning: " << record.verdict << '\n';
 }
 

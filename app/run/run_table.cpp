@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 #include <set>
 #include <utility>
 
@@ -195,12 +194,6 @@ std::string with_bar(const std::string& value, const PointResult& point, const c
   return value + ' ' + contact::bar_text(point, quantity);
 }
 
-/// A sentence with its numbers masked, whatever their digits, sign and exponent.
-std::string without_numbers(const std::string& text) {
-  static const std::regex number(R"([-+]?[0-9]+(\.[0-9]*)?(e[-+]?[0-9]+)?)");
-  return std::regex_replace(text, number, "");
-}
-
 /// One line per result: place, size and the first load point with its bars.
 std::string row_table(const std::vector<ModelResult>& models) {
   std::string text = fmt::format(
@@ -226,12 +219,8 @@ std::string row_table(const std::vector<ModelResult>& models) {
   return text;
 }
 
-/// The model's own estimate of its model error, the largest of all load points, or a remark that
-/// the estimate failed. Empty without estimate.
-std::string model_error_text(const ModelResult& model) {
-  constexpr const char* without_result = "not estimated: no result";
-  if (model.model_error_source.rfind(without_result, 0) == 0)
-    return "warning: model error " + model.model_error_source;
+/// The largest model errors of all load points: "p0 12 MPa, a 0.02 mm".
+std::string largest_model_errors(const ModelResult& model) {
   std::string text;
   for (const auto& [name, told] : {std::pair{"max_pressure", "p0 {:.2g} MPa"},
                                    {"semi_axis_x", "a {:.2g} mm"},
@@ -244,19 +233,18 @@ std::string model_error_text(const ModelResult& model) {
     if (largest > 0.0)
       text += (text.empty() ? "" : ", ") + fmt::format(fmt::runtime(told), largest);
   }
-  return text.empty() ? text
-                      : fmt::format(
-                            "model error beside the bars, the largest of all load points: "
-                            "{} ({})",
-                            text, model.model_error_source);
+  return text;
 }
 
-/// The notes of a model and its model error.
-std::vector<std::string> told_of(const ModelResult& model) {
-  std::vector<std::string> all = model.notes;
-  const std::string error = model_error_text(model);
-  if (!error.empty()) all.push_back(error);
-  return all;
+/// The note on model errors stands with their numbers, and not at all without errors or failure.
+std::string printed(const ModelResult& model, const contact::Note& note) {
+  const bool warns = note.severity == contact::Note::warning;
+  if (note.about != contact::about_model_error) return (warns ? "warning: " : "") + note.text;
+  if (warns) return "warning: model error " + note.text;
+  const std::string errors = largest_model_errors(model);
+  if (errors.empty()) return {};
+  return fmt::format("model error beside the bars, the largest of all load points: {} ({})", errors,
+                     note.text);
 }
 
 }  // namespace
@@ -284,32 +272,33 @@ std::string run_table(const std::vector<ModelResult>& models) {
   return text;
 }
 
-std::string notes_text(const std::vector<ModelResult>& models, bool warnings) {
-  struct Note {
-    std::string words;  // with the model's name
-    std::string text;
-    std::set<std::string> others = {};  // patches with the same words and other numbers
+std::string notes_text(const std::vector<ModelResult>& models, contact::Note::Severity severity) {
+  struct Said {
+    std::string model, about, text;
+    std::set<std::string> others = {};  // patches with other numbers
   };
-  std::vector<Note> notes;
+  std::vector<Said> all;
   for (const ModelResult& model : models)
-    for (const std::string& text : told_of(model)) {
-      if ((text.rfind("warning: ", 0) == 0) != warnings) continue;
-      const std::string words = model.name + without_numbers(text);
-      const auto same = [&](const Note& note) { return note.words == words; };
-      const auto found = std::find_if(notes.begin(), notes.end(), same);
-      if (found == notes.end())
-        notes.push_back({words, model.name + ": " + text});
-      else if (found->text != model.name + ": " + text)
+    for (const contact::Note& note : model.notes) {
+      std::string text = note.severity == severity ? printed(model, note) : "";
+      if (text.empty()) continue;
+      const auto same = [&](const Said& said) {
+        return said.model == model.name && said.about == note.about;
+      };
+      const auto found = std::find_if(all.begin(), all.end(), same);
+      if (found == all.end())
+        all.push_back({model.name, note.about, std::move(text)});
+      else if (found->text != text)
         found->others.insert(model.key());
     }
   std::string text;
-  for (const Note& note : notes) {
-    text += note.text;
-    if (!note.others.empty())
+  for (const Said& said : all) {
+    text += said.model + ": " + said.text;
+    if (!said.others.empty())
       text += fmt::format(" (values differ for {})",
-                          note.others.size() == 1
+                          said.others.size() == 1
                               ? "1 other patch"
-                              : fmt::format("{} other patches", note.others.size()));
+                              : fmt::format("{} other patches", said.others.size()));
     text += '\n';
   }
   return text;

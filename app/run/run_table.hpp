@@ -11,8 +11,9 @@ namespace rollfem::app {
 
 std::string run_table(const std::vector<contact::ModelResult>& models);
 
-/// Notes of the models on their results, one line each, or those that warn. A note that differs
-/// between patches only in its numbers appears once, with the numbers of the first patch.
-std::string notes_text(const std::vector<contact::ModelResult>& models, bool warnings);
+/// Notes of the models on their results, one line each. What a model notes about the same subject
+/// at several patches appears once, with the numbers of the first patch.
+std::string notes_text(const std::vector<contact::ModelResult>& models,
+                       contact::Note::Severity severity);
 
 }  // namespace rollfem::app

@@ -115,7 +115,7 @@ class Computation {
 
   /// Solves levels side by side, and tells of each at once: done(index, record, seconds, None), or
   /// done(index, None, why, whether another grid may have a solution).
-  void solve_levels(const std::vector<Level>& levels, const std::vector<std::string>& notes,
+  void solve_levels(const std::vector<Level>& levels, const std::vector<contact::Note>& notes,
                     const py::function& done) {
     working([&](const Solving& how) {
       contact::for_each_index(levels.size(), [&](std::size_t k) {
@@ -193,7 +193,7 @@ class Computation {
   }
 
   template <class Tell>
-  void solve_level(const Level& level, const std::vector<std::string>& notes, const Solving& all,
+  void solve_level(const Level& level, const std::vector<contact::Note>& notes, const Solving& all,
                    const Tell& tell) {
     LevelPoints points(kept_, level.records);
     Solving how = all;
@@ -350,6 +350,7 @@ void define_computations(py::module_& module) {
              [](const std::vector<std::string>& names, const std::string& command) {
                modelling::refuse_choice(known_models(), names, command);
              });
+  py::class_<contact::Note>(module, "Note").def_readonly("text", &contact::Note::text);
   py::class_<Level>(module, "Level").def(py::init<std::string, std::string, Scene, std::string>());
   py::class_<Computation>(module, "Computation")
       .def(py::init<std::vector<std::string>, modelling::Computing&>(), py::keep_alive<1, 3>())

@@ -3,23 +3,49 @@
 // (exit status 1). Everything else is a defect of rollfem.
 #pragma once
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace rollfem::contact {
+
+/// Where something failed, from the outside inwards: file, wheel, model. Parts may be empty.
+using FailurePlace = std::vector<std::string>;
 
 /// Either of the two.
 class Failure : public std::runtime_error {
  public:
   enum class Cause { input, grid, solution };  ///< grid: another one has a solution
 
-  using std::runtime_error::runtime_error;
+  explicit Failure(const std::string& text) : std::runtime_error(text), words_(text) {}
+  Failure(const FailurePlace& place, const std::string& text) : Failure(text) { put_at(place); }
+  /// `text` as for fmt::format.
+  template <class... Values>
+  Failure(const FailurePlace& place, fmt::format_string<Values...> text, Values&&... values)
+      : Failure(place, fmt::format(text, std::forward<Values>(values)...)) {}
+  /// Place and text.
+  const char* what() const noexcept override { return words_.c_str(); }
+  std::string text() const { return std::runtime_error::what(); }
   virtual Cause cause() const = 0;
-  /// The same failure with another text, which says where it happened.
-  virtual std::exception_ptr retold(const std::string& text) const = 0;
+  /// Adds what of a place around this one is not known yet.
+  void put_at(const FailurePlace& outer) {
+    const auto [own, other] =
+        std::mismatch(place_.begin(), place_.end(), outer.begin(), outer.end());
+    place_.insert(own, other, outer.end());
+    words_.clear();
+    for (const std::string& part : place_) words_ += part + (part.empty() ? "" : ": ");
+    words_ += text();
+  }
+
+ private:
+  FailurePlace place_;
+  std::string words_;
 };
 
 /// The case file or the call is wrong. The text names file, line, key, value, allowed values and
@@ -28,9 +54,6 @@ class InputError : public Failure {
  public:
   using Failure::Failure;
   Cause cause() const override { return Cause::input; }
-  std::exception_ptr retold(const std::string& text) const override {
-    return std::make_exception_ptr(InputError(text));
-  }
 };
 
 /// The problem is valid but has no solution or none was found: no contact, infeasible force, an
@@ -39,9 +62,6 @@ class SolveError : public Failure {
  public:
   using Failure::Failure;
   Cause cause() const override { return Cause::solution; }
-  std::exception_ptr retold(const std::string& text) const override {
-    return std::make_exception_ptr(SolveError(text));
-  }
 };
 
 /// The grid is too coarse for a meaningful solution, or too small for the patch; another grid has a
@@ -50,9 +70,6 @@ class UnfitGrid : public SolveError {
  public:
   using SolveError::SolveError;
   Cause cause() const override { return Cause::grid; }
-  std::exception_ptr retold(const std::string& text) const override {
-    return std::make_exception_ptr(UnfitGrid(text));
-  }
 };
 
 /// Contacts of a wheel, each solved in its own plane, touch or overlap: one conformal contact,
@@ -60,9 +77,6 @@ class UnfitGrid : public SolveError {
 class ConformalContact : public SolveError {
  public:
   using SolveError::SolveError;
-  std::exception_ptr retold(const std::string& text) const override {
-    return std::make_exception_ptr(ConformalContact(text));
-  }
 };
 
 /// A file that is missing, cannot be read or written, is damaged or of another kind: callers may
@@ -78,15 +92,14 @@ class OutputError : public FileError {
   using FileError::FileError;
 };
 
-/// Calls `work`; the text of its failure then begins with `where`, once.
+/// Calls `work`, whose failures happen at this place.
 template <class Work>
-auto at_place(const std::string& where, const Work& work) {
+auto at_place(const FailurePlace& place, const Work& work) {
   try {
     return work();
-  } catch (const Failure& failure) {
-    const std::string text = failure.what();
-    if (text.compare(0, where.size(), where) == 0) throw;
-    std::rethrow_exception(failure.retold(where + text));
+  } catch (Failure& failure) {
+    failure.put_at(place);
+    throw;
   }
 }
 

@@ -22,6 +22,7 @@ struct ProgressEvent {
   int adhesion_elements = 0;
   bool finished = false;  ///< the stage has finished
   std::string note;       ///< e.g. "2 x 184 512 unknowns"
+  bool warns = false;     ///< the note is a warning
 };
 
 /// May be empty: models then run silently.

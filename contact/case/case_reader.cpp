@@ -222,24 +222,6 @@ std::string default_text(const Key& key, const Case& by_default) {
   return value.empty() || !key.when_absent.empty() ? key.when_absent : value;
 }
 
-/// Allowed values in few words: "0.001 to 1e+09 mm" for "a number from 0.001 to 1e+09 mm".
-std::string allowed_in_table(const Key& key, const ModelWords& models) {
-  std::string text = allowed_values(key, models.known);
-  for (const auto& [said, shorter] : {std::pair{"a number or a list of numbers ", "list, "},
-                                      {"a list of two numbers ", "two, "},
-                                      {"a list of three numbers ", "three, "},
-                                      {"a whole number ", "whole, "},
-                                      {"a number ", ""},
-                                      {"from ", ""},
-                                      {"a string in quotes", "text"},
-                                      {"one of ", ""},
-                                      {"a list of some of ", "some of "}})
-    if (text.rfind(said, 0) == 0 || std::string_view(said) == "from ")
-      if (const std::size_t at = text.find(said); at != text.npos)
-        text.replace(at, std::string_view(said).size(), shorter);
-  return text;
-}
-
 /// One key of the template: its sentence, the allowed values, and the line itself.
 std::string template_key(const Key& key, const ModelWords& models, bool commented_out) {
   const Case by_default = defaults(models);
@@ -412,7 +394,7 @@ std::string case_reference_markdown(const ModelWords& models) {
     for (const Key& key : section) {
       const std::string row = fmt::format(
           "| `{}`{}{} | {} | {} | {} |\n", key.name, key.symbol.empty() ? "" : " ", key.symbol,
-          allowed_in_table(key, models), default_text(key, by_default), key.sentence);
+          allowed_values(key, models.known, true), default_text(key, by_default), key.sentence);
       rows.insert(row);
       if (last_rows.count(row) == 0)
         told += row;

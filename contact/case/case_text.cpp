@@ -44,16 +44,17 @@ struct ValueText {
   std::string operator()(const std::vector<std::string>& value) const { return list_of(value); }
 };
 
-std::string range(const Key& key) {
+/// `from`: "from ", or nothing in few words.
+std::string range(const Key& key, const std::string& from) {
   const Bounds& bounds = key.bounds;
   const std::string unit = key.unit.empty() ? "" : " " + key.unit;
   std::string text;
   if (bounds.magnitude && bounds.lower == 0.0)
-    text = fmt::format("from {:g} to {:g}{}", -bounds.upper, bounds.upper, unit);
+    text = fmt::format("{}{:g} to {:g}{}", from, -bounds.upper, bounds.upper, unit);
   else if (bounds.magnitude)
     text = fmt::format("of magnitude {:g} to {:g}{}", bounds.lower, bounds.upper, unit);
   else
-    text = fmt::format("from {:g} to {}{:g}{}", bounds.lower, bounds.upper_open ? "below " : "",
+    text = fmt::format("{}{:g} to {}{:g}{}", from, bounds.lower, bounds.upper_open ? "below " : "",
                        bounds.upper, unit);
   if (bounds.zero) text += ", or 0";
   return text + (bounds.infinite ? ", or inf" : bounds.none ? ", or nan" : "");
@@ -78,31 +79,36 @@ std::string toml_text(const KeyValue& value) {
   return std::visit(ValueText{}, value);
 }
 
-std::string allowed_values(const Key& key, const std::vector<std::string>& models) {
+std::string allowed_values(const Key& key, const std::vector<std::string>& models, bool brief) {
+  const auto said = [&](const char* full, const char* few) {
+    return std::string(brief ? few : full);
+  };
+  const std::string within = range(key, said("from ", ""));
   switch (key.kind) {
     case KeyKind::text:
-      return "a string in quotes";
+      return said("a string in quotes", "text");
     case KeyKind::word:
-      return "one of " + joined(key.words);
+      return said("one of ", "") + joined(key.words);
     case KeyKind::words:
       if (key.words.empty() && models.empty()) return "a list of names";
-      return fmt::format("a list of some {}of {}", key.empty ? "or none " : "",
+      return fmt::format("{}of {}",
+                         key.empty ? "a list of some or none " : said("a list of some ", "some "),
                          joined(key.words.empty() ? models : key.words));
     case KeyKind::number:
-      return "a number " + range(key);
+      return said("a number ", "") + within;
     case KeyKind::integer:
-      return "a whole number " + range(key);
+      return said("a whole number ", "whole, ") + within;
     case KeyKind::boolean:
       return "true or false";
     case KeyKind::pair:
-      return "a list of two numbers " + range(key);
+      return said("a list of two numbers ", "two, ") + within;
     case KeyKind::triple:
-      return "a list of three numbers " + range(key);
+      return said("a list of three numbers ", "three, ") + within;
     case KeyKind::numbers:
-      return "a number or a list of numbers " + range(key);
+      return said("a number or a list of numbers ", "list, ") + within;
     case KeyKind::lean:
       return fmt::format("\"{}\", a ratio such as \"1:40\", or an angle {} rad", joined(key.words),
-                         range(key));
+                         within);
   }
   return "";
 }

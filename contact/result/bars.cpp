@@ -87,24 +87,23 @@ bool is_found(const Scene& scene, const PrescribedForce& force, const std::strin
 }
 
 /// Reason why a value has no error bar.
-std::string word_of(const Scene& scene, const BarRules& rules, const ModelResult& result,
-                    std::size_t k, const Quantity& quantity) {
+NoBar reason_of(const Scene& scene, const BarRules& rules, const ModelResult& result, std::size_t k,
+                const Quantity& quantity) {
   const std::string name = quantity.name;
-  if (scene.turns_freely && is_creepage(name)) return no_bar::balance;
-  if (is_relative(scene, name)) return no_bar::relative;
-  if (*quantity.no_bar != '\0' && !is_found(scene, force_of(scene, result, k), name))
-    return quantity.no_bar;
-  if (is_given(scene, result, k, name)) return no_bar::given;
+  if (scene.turns_freely && is_creepage(name)) return NoBar::balance;
+  if (is_relative(scene, name)) return NoBar::relative;
+  if (quantity.no_bar && !is_found(scene, force_of(scene, result, k), name))
+    return *quantity.no_bar;
+  if (is_given(scene, result, k, name)) return NoBar::given;
   // True profiles are approximated by an ellipse, which is not their exact contact.
   const bool exact = rules.hertzian && !scene.has_profiles();
-  if (rules.hertzian && is_of_normal_problem(quantity))
-    return exact ? no_bar::exact : no_bar::theory;
+  if (rules.hertzian && is_of_normal_problem(quantity)) return exact ? NoBar::exact : NoBar::theory;
   // Without tangential tractions these are exact.
   if (exact && result.points[k].max_traction == 0.0 &&
       (quantity.of_friction() || name == "adhesion_area"))
-    return no_bar::exact;
-  const bool estimates = rules.otherwise == std::string(no_bar::not_estimated);
-  return estimates && result.points[k].error_estimate.empty() ? no_bar::one_grid : rules.otherwise;
+    return NoBar::exact;
+  const bool estimates = rules.otherwise == NoBar::not_estimated;
+  return estimates && result.points[k].error_estimate.empty() ? NoBar::one_grid : rules.otherwise;
 }
 
 void explain_stresses(const BarRules& rules, PointResult& point) {
@@ -112,7 +111,7 @@ void explain_stresses(const BarRules& rules, PointResult& point) {
     if (!has_bar(point, name)) point.no_bar.emplace(name, rules.otherwise);
   };
   for (const StressMaximum& maximum : point.stress_maxima) {
-    const std::string name = fmt::format("max_{}_{}", maximum.measure, maximum.body);
+    const std::string name = maximum.bar_name();
     // It is the largest traction.
     if (maximum.measure == surface_shear && has_bar(point, "max_traction"))
       point.error_estimate.emplace(name, point.error_estimate.at("max_traction"));
@@ -139,7 +138,7 @@ void derive_bars(PointResult& point) {
     else if (bar == 0.0)
       point.error_estimate.emplace("revolution_work", 0.0);
     else
-      point.no_bar.emplace("revolution_work", no_bar::one_grid);
+      point.no_bar.emplace("revolution_work", NoBar::one_grid);
   }
   if (!point.creepage_work || !has_bar(point, "longitudinal_force") ||
       !has_bar(point, "lateral_force") || !has_bar(point, "spin_moment"))
@@ -167,7 +166,7 @@ void explain_bars(const Scene& scene, const BarRules& rules, ModelResult& result
       if (is_given(scene, result, k, quantity.name) || is_relative(scene, quantity.name))
         point.error_estimate.erase(quantity.name);
       if (!has_bar(point, quantity.name))
-        point.no_bar.emplace(quantity.name, word_of(scene, rules, result, k, quantity));
+        point.no_bar.emplace(quantity.name, reason_of(scene, rules, result, k, quantity));
     }
     explain_stresses(rules, point);
   }
@@ -177,7 +176,7 @@ std::string bar_text(const PointResult& point, const std::string& quantity, doub
   const auto bar = point.error_estimate.find(quantity);
   if (bar != point.error_estimate.end()) return fmt::format("+- {:.2g}", bar->second / scale);
   const auto word = point.no_bar.find(quantity);
-  return word == point.no_bar.end() ? std::string() : word->second;
+  return word == point.no_bar.end() ? "" : word_of(word->second);
 }
 
 }  // namespace rollfem::contact

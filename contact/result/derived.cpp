@@ -243,7 +243,7 @@ PowerBalance power_balance(const ContactGrid& grid, const SurfaceField& traction
 bool found_for_force(const PointResult& point, const std::string& name) {
   const auto word = point.no_bar.find(name);
   if (word != point.no_bar.end())
-    return word->second != no_bar::given && word->second != no_bar::balance;
+    return word->second != NoBar::given && word->second != NoBar::balance;
   // Of a wheelset that rolls freely the spin has a bar, too.
   return point.error_estimate.count(name) != 0 && point.error_estimate.count("spin") == 0;
 }

@@ -45,7 +45,7 @@ void explain_singular_values(const Scene& scene, const ContactGrid& grid, PointR
     if (!quantity_named(name).value(point)) continue;
     point.error_estimate.erase(name);
     point.richardson.erase(name);
-    point.no_bar[name] = no_bar::no_limit;
+    point.no_bar[name] = NoBar::no_limit;
   }
 }
 

@@ -64,27 +64,27 @@ std::vector<Quantity> of_the_motion() {
       {"longitudinal_creepage", "longitudinal creepage", "xi", "-",
        "longitudinal creepage, as prescribed or as found for a prescribed force; positive brakes "
        "the wheel",
-       Scale::none, Use::stored, at<&P::creepage, &Creepage::longitudinal>(), no_bar::given},
+       Scale::none, Use::stored, at<&P::creepage, &Creepage::longitudinal>(), NoBar::given},
       {"lateral_creepage", "lateral creepage", "eta", "-",
        "lateral creepage; positive where the wheel slides towards +y", Scale::none, Use::stored,
-       at<&P::creepage, &Creepage::lateral>(), no_bar::given},
+       at<&P::creepage, &Creepage::lateral>(), NoBar::given},
       {"spin", "spin", "phi", "rad/mm",
        "rotation of the wheel relative to the rail about the normal, per mm rolled", Scale::none,
-       Use::stored, at<&P::creepage, &Creepage::spin>(), no_bar::given},
+       Use::stored, at<&P::creepage, &Creepage::spin>(), NoBar::given},
       {"step", "step", "", "-",
        "number of the step in a history (problems `shift`, `transient`) or of the pass over bodies "
        "that yield, from 1; otherwise 0",
-       Scale::none, Use::stored, at<&P::step>(), no_bar::counted},
+       Scale::none, Use::stored, at<&P::step>(), NoBar::counted},
       {"longitudinal_shift", "longitudinal shift", "", "mm",
        "rigid shift of the wheel over the rail along x since the beginning", Scale::none,
-       Use::stored, at<&P::longitudinal_shift>(), no_bar::given},
+       Use::stored, at<&P::longitudinal_shift>(), NoBar::given},
       {"lateral_shift", "lateral shift", "", "mm",
        "rigid shift of the wheel over the rail along y since the beginning", Scale::none,
-       Use::stored, at<&P::lateral_shift>(), no_bar::given},
+       Use::stored, at<&P::lateral_shift>(), NoBar::given},
       {"spin_shift", "rotation", "", "rad", "rotation about the normal since the beginning",
-       Scale::none, Use::stored, at<&P::spin_shift>(), no_bar::given},
+       Scale::none, Use::stored, at<&P::spin_shift>(), NoBar::given},
       {"distance", "distance", "", "mm", "distance rolled since the beginning", Scale::none,
-       Use::stored, at<&P::distance>(), no_bar::given},
+       Use::stored, at<&P::distance>(), NoBar::given},
   };
 }
 
@@ -101,7 +101,7 @@ std::vector<Quantity> of_the_forces() {
       {"lateral_pressure", "lateral force of the pressure", "", "N",
        "part of the lateral force carried by the pressure of a curved patch, along y on the wheel; "
        "friction bounds the rest",
-       Scale::none, Use::stored, at<&P::lateral_pressure>(), no_bar::one_grid},
+       Scale::none, Use::stored, at<&P::lateral_pressure>(), NoBar::one_grid},
       {"spin_moment", "spin moment", "M_z", "N mm", "moment on the wheel about the origin",
        Scale::moment, Use::stored, at<&P::spin_moment>()},
       {"traction_coefficient", "traction coefficient", "-F_x/F_z", "-",
@@ -142,7 +142,7 @@ std::vector<Quantity> of_the_patch() {
       {"patch_count", "patches", "", "-",
        "number of separate regions of the contact; forces are those of all regions together, and "
        "`patches` of `summary.json` and `patches.csv` list each",
-       Scale::none, Use::stored, at<&P::patch_count>(), no_bar::counted},
+       Scale::none, Use::stored, at<&P::patch_count>(), NoBar::counted},
   };
 }
 
@@ -150,13 +150,13 @@ std::vector<Quantity> of_the_patch() {
 std::vector<Quantity> of_the_solution() {
   return {
       {"iterations", "iterations", "", "-", "outer iterations (FE solves) or Newton steps",
-       Scale::none, Use::stored, at<&P::iterations>(), no_bar::counted},
+       Scale::none, Use::stored, at<&P::iterations>(), NoBar::counted},
       {"residual", "residual", "", "-", "relative residual at which the iteration stopped",
-       Scale::none, Use::stored, at<&P::residual>(), no_bar::measured},
+       Scale::none, Use::stored, at<&P::residual>(), NoBar::measured},
       {"seconds", "seconds", "", "s", "time of this load point", Scale::none, Use::stored,
-       at<&P::seconds>(), no_bar::measured},
+       at<&P::seconds>(), NoBar::measured},
       {"converged", "converged", "", "-", "do not use a point that has not converged", Scale::none,
-       Use::stored, at<&P::converged>(), no_bar::counted},
+       Use::stored, at<&P::converged>(), NoBar::counted},
       {"elastic_energy", "elastic energy", "", "N mm",
        "elastic energy of both bodies; half-space only", Scale::value, Use::stored,
        at<&P::elastic_energy>()},
@@ -172,10 +172,10 @@ std::vector<Quantity> of_the_solution() {
        Scale::value, Use::stored, at<&P::max_pass_work>()},
       {"pass_work_y_wheel", "place of the largest work on the wheel", "", "mm",
        "y of the wheel's profile where it is; without profiles y of the patch", Scale::none,
-       Use::stored, at<&P::pass_work_y_wheel>(), no_bar::one_grid},
+       Use::stored, at<&P::pass_work_y_wheel>(), NoBar::one_grid},
       {"pass_work_y_rail", "place of the largest work on the rail", "", "mm",
        "the same on the rail's profile", Scale::none, Use::stored, at<&P::pass_work_y_rail>(),
-       no_bar::one_grid},
+       NoBar::one_grid},
       {"revolution_work", "frictional work per revolution", "", "J",
        "frictional work per revolution of the wheel; per metre rolled it is `frictional_work` in J",
        Scale::value, Use::stored, at<&P::revolution_work>()},

@@ -50,7 +50,7 @@ struct Quantity {
   ErrorScale scale;
   QuantityUse use;
   QuantityMember member;
-  const char* no_bar = "";  ///< why it never has an error bar (bars.hpp), or empty
+  std::optional<NoBar> no_bar = {};  ///< why it never has an error bar
 
   /// None for an optional quantity that the model does not give.
   std::optional<double> value(const PointResult& point) const { return member.get(point); }
@@ -123,9 +123,6 @@ class PartlySolved : public SolveError {
  public:
   PartlySolved(const std::string& why, ModelResult solved)
       : SolveError(why), result(std::move(solved)) {}
-  std::exception_ptr retold(const std::string& text) const override {
-    return std::make_exception_ptr(PartlySolved(text, result));
-  }
   ModelResult result;
 };
 

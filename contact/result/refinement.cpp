@@ -26,7 +26,7 @@ double bar_of(const PointResult& point, const std::string& name) {
   if (bar != point.error_estimate.end()) return bar->second;
   const auto word = point.no_bar.find(name);
   if (word == point.no_bar.end()) return unknown;
-  for (const char* sound : {no_bar::exact, no_bar::given, no_bar::counted, no_bar::measured})
+  for (const NoBar sound : {NoBar::exact, NoBar::given, NoBar::counted, NoBar::measured})
     if (word->second == sound) return 0.0;
   return unknown;
 }
@@ -61,7 +61,8 @@ void each_error(const std::vector<PointResult>& points, const AccuracyRequest& a
 
 /// The estimate of its model error has failed.
 bool without_model_error(const ModelResult& result) {
-  return result.model_error_source.rfind("not estimated: no result", 0) == 0;
+  const Note* note = result.note_about(about_model_error);
+  return note != nullptr && note->severity == Note::warning;
 }
 
 }  // namespace
@@ -113,8 +114,8 @@ bool refine_further(const AccuracyRequest& asked, double friction_coefficient, c
   const WorstError worst = worst_error(asked, friction_coefficient, points);
   const bool reached = rung.enough_levels && worst.error <= *asked.relative;
   if (!reached && rung.no_finer.empty()) return true;
-  result.notes.push_back(fmt::format("accuracy {:g} requested: {}; largest estimated error {}",
-                                     *asked.relative, rung.cells, worst.text()));
+  add_note(result.notes, "accuracy", "accuracy {:g} requested: {}; largest estimated error {}",
+           *asked.relative, rung.cells, worst.text());
   if (!reached) result.shortfall = shortfall_text(asked, worst, rung.no_finer);
   return false;
 }

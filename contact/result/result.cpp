@@ -86,6 +86,23 @@ bool ModelResult::has_model_error() const {
                      [](const PointResult& point) { return !point.model_error.empty(); });
 }
 
+std::string StressMaximum::bar_name() const {
+  return fmt::format("max_{}_{}", measure, body);
+}
+
+const Note* ModelResult::note_about(const std::string& subject) const {
+  const auto found = std::find_if(notes.begin(), notes.end(),
+                                  [&](const Note& note) { return note.about == subject; });
+  return found == notes.end() ? nullptr : &*found;
+}
+
+void ModelResult::set_note(Note note) {
+  if (const Note* known = note_about(note.about))
+    notes[static_cast<std::size_t>(known - notes.data())] = std::move(note);
+  else
+    notes.push_back(std::move(note));
+}
+
 bool ModelResult::has_friction() const {
   return std::any_of(points.begin(), points.end(),
                      [](const PointResult& point) { return point.max_traction > 0.0; });

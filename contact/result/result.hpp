@@ -4,6 +4,8 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
+#include "contact/result/no_bar.hpp"
+#include "contact/result/note.hpp"
 #include "contact/result/yielded_section.hpp"
 #include "contact/scene/members.hpp"
 #include "contact/scene/scene.hpp"
@@ -63,6 +65,9 @@ struct StressMaximum {
   double value = 0.0;
   std::array<double, 3> place{};
 
+  /// "max_von_mises_wheel": of its error bar.
+  std::string bar_name() const;
+
   static constexpr Listed listed = Listed::as_table;
   static constexpr auto members() {
     using S = StressMaximum;
@@ -117,7 +122,7 @@ struct PointResult {
   /// Error bars: quantity -> estimated absolute error of its value from grid and solver, in its
   /// unit (docs/results.md).
   std::map<std::string, double> error_estimate;
-  std::map<std::string, std::string> no_bar;  ///< quantity -> why it has no bar (bars.hpp)
+  std::map<std::string, NoBar> no_bar;  ///< quantity -> why it has no bar
   /// Model error: quantity -> absolute error of the model itself, independent of the grid.
   std::map<std::string, double> model_error;
   std::map<std::string, double> richardson;  ///< quantity -> value extrapolated to cells of 0
@@ -205,15 +210,16 @@ struct ModelResult {
   /// A request that was not met although the results are valid; otherwise empty. The run then ends
   /// with status 1 after writing them.
   std::string shortfall;
-  std::vector<std::string> notes;  ///< notes for the reader: domain, symmetry, limits
-  /// Source of PointResult::model_error, or why there is none.
-  std::string model_error_source;
+  std::vector<Note> notes;  ///< domain, symmetry, limits, sources of errors
   ContactGrid grid;
   ProfileRows rows;  ///< empty for theories without slip
   std::vector<PointResult> points;
   std::vector<BodyField> bodies;  ///< undeformed, without values (PointResult::bodies); fem only
   /// Whether a load point has the model error of a quantity.
   bool has_model_error() const;
+  /// Appends a note, or replaces the one about the same subject.
+  void set_note(Note note);
+  const Note* note_about(const std::string& subject) const;  ///< null if there is none
   /// False for Hertz and other theories of the normal problem.
   bool has_friction() const;
   double total_seconds() const;  ///< 0: not measured
@@ -236,9 +242,8 @@ struct ModelResult {
         member("contact_elements", &S::contact_elements, "-"),
         member_if_given("choice", &S::choice), member_if_given("shortfall", &S::shortfall),
         member("notes", &S::notes, "", "Notes: domain, symmetry, limits"),
-        member("model_error_source", &S::model_error_source), member_within("grid", &S::grid),
-        member_within("rows", &S::rows), member_within("points", &S::points),
-        member_within("bodies", &S::bodies));
+        member_within("grid", &S::grid), member_within("rows", &S::rows),
+        member_within("points", &S::points), member_within("bodies", &S::bodies));
   }
 };
 

@@ -269,7 +269,7 @@ namespace {
 constexpr double largest_step_part = 0.1;
 
 void warn_of_long_steps(const Scene& scene, const ModelResult& result,
-                        std::vector<std::string>& warnings) {
+                        std::vector<Note>& warnings) {
   Worst step;
   for (std::size_t k = 0; k < result.points.size(); ++k) {
     const double length = result.points[k].contact_length;
@@ -279,15 +279,14 @@ void warn_of_long_steps(const Scene& scene, const ModelResult& result,
                fmt::format("{:.4g} mm against {:.4g} mm", scene.points[k].step_length, length));
   }
   if (step.part > largest_step_part)
-    warnings.push_back(fmt::format(
-        "warning: the wheel rolls over much of its patch in one step: {} (load point {}), a ratio "
-        "of {:.2g} where an element or {:g} is usual; give a smaller history.step_length",
-        step.what, step.point, step.part, largest_step_part));
+    add_warning(warnings, "step_length",
+                "the wheel rolls over much of its patch in one step: {} (load point {}), a ratio "
+                "of {:.2g} where an element or {:g} is usual; give a smaller history.step_length",
+                step.what, step.point, step.part, largest_step_part);
 }
 
 /// Of grids that the case gives.
-void warn_of_grid(const Scene& scene, const ModelResult& result,
-                  std::vector<std::string>& warnings) {
+void warn_of_grid(const Scene& scene, const ModelResult& result, std::vector<Note>& warnings) {
   const ContactGrid& grid = result.grid;
   Worst fewest, border;
   for (std::size_t k = 0; k < result.points.size() && gives_grid(scene); ++k) {
@@ -299,19 +298,19 @@ void warn_of_grid(const Scene& scene, const ModelResult& result,
     if (touches_border(grid, pressure)) border.raise(1.0, k, "");
   }
   if (fewest.part > 1.0 / fewest_elements_across)
-    warnings.push_back(fmt::format(
-        "warning: the patch has only {} of the elements that the case gives (load point {}), where "
-        "at least {} in each direction are usual: its numbers are those of the elements",
-        fewest.what, fewest.point, fewest_elements_across));
+    add_warning(warnings, "few_elements",
+                "the patch has only {} of the elements that the case gives (load point {}), where "
+                "at least {} in each direction are usual: its numbers are those of the elements",
+                fewest.what, fewest.point, fewest_elements_across);
   if (border.part > 0.0 && scene.geometry.distance_values)
-    warnings.push_back(fmt::format(
-        "warning: the patch reaches the border of the contact grid (load point {}), beyond which "
-        "no undeformed distance is given: load that acts there is missing",
-        border.point));
+    add_warning(warnings, "grid_border",
+                "the patch reaches the border of the contact grid (load point {}), beyond which "
+                "no undeformed distance is given: load that acts there is missing",
+                border.point);
 }
 
 /// With the size of what half-spaces leave out at the ends of bodies; empty without loaded ends.
-std::string free_end_warning(const Scene& scene, const ModelResult& result) {
+std::string free_end_text(const Scene& scene, const ModelResult& result) {
   LoadedEnds worst;
   for (const PointResult& point : result.points)
     if (LoadedEnds loaded = loaded_ends(scene, result.grid, point); loaded.share > worst.share)
@@ -322,7 +321,7 @@ std::string free_end_warning(const Scene& scene, const ModelResult& result) {
     places += fmt::format("{}the {} at y = {:.4g} mm", places.empty() ? "" : ", ",
                           end.of_wheel ? "wheel" : "rail", end.y);
   return fmt::format(
-      "warning: bodies end inside the patch ({}), beside which a half-space has material and they "
+      "bodies end inside the patch ({}), beside which a half-space has material and they "
       "have none: {:.2g} % of the load lies within half the patch's length from these ends, where "
       "the pressure is too high",
       places, 100.0 * worst.share);
@@ -330,8 +329,8 @@ std::string free_end_warning(const Scene& scene, const ModelResult& result) {
 
 }  // namespace
 
-std::vector<std::string> validity_warnings(const Scene& scene, const ModelResult& result,
-                                           const ResultKind& kind) {
+std::vector<Note> validity_warnings(const Scene& scene, const ModelResult& result,
+                                    const ResultKind& kind) {
   Worst patch, approach, pressure;
   const bool surfaces = scene.geometry.has_surfaces() && !scene.given_pressure;
   for (std::size_t k = 0; k < result.points.size(); ++k) {
@@ -343,29 +342,29 @@ std::vector<std::string> validity_warnings(const Scene& scene, const ModelResult
         point.approach / smallest_radius(scene), k,
         fmt::format("{:.4g} mm against {:.4g} mm", point.approach, smallest_radius(scene)));
   }
-  std::vector<std::string> warnings;
+  std::vector<Note> warnings;
   if (patch.part > largest_patch_part)
-    warnings.push_back(
-        fmt::format("warning: the patch is not small against the bodies, as half-spaces require: "
-                    "{} (load point {}), a ratio of {:.2g} where at most {:g} is usual; check load "
-                    "and radii, or use the models hybrid or fem, or auto, which chooses",
-                    patch.what, patch.point, patch.part, largest_patch_part));
+    add_warning(warnings, "patch_size",
+                "the patch is not small against the bodies, as half-spaces require: "
+                "{} (load point {}), a ratio of {:.2g} where at most {:g} is usual; check load "
+                "and radii, or use the models hybrid or fem, or auto, which chooses",
+                patch.what, patch.point, patch.part, largest_patch_part);
   if (approach.part > largest_approach_part)
-    warnings.push_back(
-        fmt::format("warning: the approach is not small against the radii, as linear elasticity "
-                    "requires: {} (load point {}), a ratio of {:.2g} where at most {:g} is usual; "
-                    "check load, radii and moduli",
-                    approach.what, approach.point, approach.part, largest_approach_part));
+    add_warning(warnings, "approach",
+                "the approach is not small against the radii, as linear elasticity "
+                "requires: {} (load point {}), a ratio of {:.2g} where at most {:g} is usual; "
+                "check load, radii and moduli",
+                approach.what, approach.point, approach.part, largest_approach_part);
   if (pressure.part > largest_elastic_pressure)
-    warnings.push_back(fmt::format(
-        "warning: the largest pressure, {:.4g} MPa (load point {}), exceeds {:g} MPa, which no "
-        "rail or wheel steel carries elastically; check load, radii and their units",
-        pressure.part, pressure.point, largest_elastic_pressure));
+    add_warning(warnings, "pressure",
+                "the largest pressure, {:.4g} MPa (load point {}), exceeds {:g} MPa, which no "
+                "rail or wheel steel carries elastically; check load, radii and their units",
+                pressure.part, pressure.point, largest_elastic_pressure);
   warn_of_long_steps(scene, result, warnings);
   warn_of_grid(scene, result, warnings);
   if (kind.half_spaces)
-    if (std::string warning = free_end_warning(scene, result); !warning.empty())
-      warnings.push_back(std::move(warning));
+    if (std::string text = free_end_text(scene, result); !text.empty())
+      warnings.push_back({"free_ends", std::move(text), Note::warning});
   return warnings;
 }
 

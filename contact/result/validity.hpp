@@ -67,10 +67,10 @@ void check_point(const ValidatedPoint& at);
 /// The same for the first such load point.
 void check_validity(const Scene& scene, const ModelResult& result, const ResultKind& kind = {});
 
-/// "warning: ..." sentences, each of the worst load point: patch or approach not small against the
+/// Warnings, each of the worst load point: patch or approach not small against the
 /// radii, pressure beyond the elastic limit of steel.
-std::vector<std::string> validity_warnings(const Scene& scene, const ModelResult& result,
-                                           const ResultKind& kind = {});
+std::vector<Note> validity_warnings(const Scene& scene, const ModelResult& result,
+                                    const ResultKind& kind = {});
 
 // Violation of the contact conditions by the fields of a load point, computed only from the
 // reported fields, independent of the iteration.

@@ -92,10 +92,6 @@ bool Scene::is_symmetric() const {
          });
 }
 
-std::string Scene::patch_prefix() const {
-  return place ? place->label() + ": " : std::string();
-}
-
 NormalLoad largest_load(const Scene& scene) {
   NormalLoad largest;
   const auto raise = [](std::optional<double>& highest, double value) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/base/accuracy.hpp"
+#include "contact/base/errors.hpp"
 #include "contact/case/case.hpp"
 #include "contact/scene/friction_law.hpp"
 #include "contact/scene/geometry.hpp"
@@ -105,8 +106,8 @@ struct Scene {
   bool asks_for_stress() const { return !subsurface.empty() || output.stress_maxima; }
   /// Whether y = 0 is a symmetry plane: bodies with radii, and no lateral driving of the material.
   bool is_symmetric() const;
-  /// Prefix of messages for a patch of a wheelset, "left, position 3: "; otherwise empty.
-  std::string patch_prefix() const;
+  /// The file, and the patch of a wheelset: "left wheel, position 3".
+  FailurePlace where() const { return {file, place ? place->label() : std::string()}; }
 };
 
 /// The load with the largest patch: the largest normal force, or the largest approach. A force not

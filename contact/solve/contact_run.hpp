@@ -72,8 +72,9 @@ struct LevelResult {
   std::map<std::size_t, std::string> unsolved;
 };
 
-/// Warning about a law that falls, or a layer that softens, this steeply; may be empty.
-std::string steep_friction_note(const LevelResult& level, const Friction& friction);
+/// Warns of a law that falls, or a layer that softens, so steeply that several states are possible.
+void warn_of_steep_friction(const LevelResult& level, const Friction& friction,
+                            std::vector<Note>& notes);
 
 struct RunOptions {
   std::string model;         ///< in progress events

@@ -241,13 +241,14 @@ void complete(const ModelRegistry& models, const ModelInfo& model, const ModelIn
               ModelResult& result) {
   const ResultKind kind{model.has_stress, model.bounded, model.half_spaces};
   check_validity(input, result, kind);
-  for (std::string& warning : validity_warnings(input, result, kind))
+  for (Note& warning : validity_warnings(input, result, kind))
     result.notes.push_back(std::move(warning));
   if (input.asks_for_stress() && !model.has_stress)
-    result.notes.push_back(fmt::format("no stress below the surface; models that compute it: {}",
-                                       listed(models.names(&ModelInfo::has_stress))));
+    add_note(result.notes, "stress", "no stress below the surface; models that compute it: {}",
+             listed(models.names(&ModelInfo::has_stress)));
   explain_bars(input, model.bars, result);
-  if (result.model_error_source.empty()) result.model_error_source = model.no_model_error;
+  if (result.note_about(about_model_error) == nullptr)
+    result.notes.push_back({about_model_error, model.no_model_error});
 }
 
 }  // namespace

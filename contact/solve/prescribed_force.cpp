@@ -32,10 +32,14 @@ std::string described(const PrescribedForce& wanted) {
   return text;
 }
 
-[[noreturn]] void fail(const PrescribedForce& wanted, const std::string& why) {
-  const char* remedy = "; do: prescribe a smaller force, or the creepage (shift) instead";
-  throw SolveError(fmt::format("prescribed force, rolling.{}: {}{}", described(wanted), why,
-                               why.find("; do: ") < why.size() ? "" : remedy));
+/// Where friction falls with the slip velocity.
+constexpr const char* beyond_peak = "prescribe the creepage there";
+
+[[noreturn]] void fail(
+    const PrescribedForce& wanted, const std::string& why,
+    const char* remedy = "prescribe a smaller force, or the creepage (shift) instead") {
+  throw SolveError(
+      fmt::format("prescribed force, rolling.{}: {}; do: {}", described(wanted), why, remedy));
 }
 
 class Counted {
@@ -45,10 +49,12 @@ class Counted {
 
   const TransmittedForce& operator()(const Vector2d& creepage) {
     if (evaluations_ == most_)
-      fail(wanted_, fmt::format("the search for its creepage did not converge in {} solutions; "
-                                "last F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, {:.6g}{}",
-                                most_, last_.force.x(), last_.force.y(), creepage_.x(),
-                                creepage_.y(), most_found()));
+      fail(wanted_,
+           fmt::format("the search for its creepage did not converge in {} solutions; "
+                       "last F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, {:.6g}{}",
+                       most_, last_.force.x(), last_.force.y(), creepage_.x(), creepage_.y(),
+                       most_found()),
+           beyond_peak);
     ++evaluations_;
     creepage_ = creepage;
     last_ = law_(creepage);
@@ -63,8 +69,7 @@ class Counted {
     const auto& [creepage, transmitted, evaluations] = largest_;
     return fmt::format(
         "; the most in its direction was F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, "
-        "{:.6g}; where friction falls with the slip velocity forces have a peak and may jump; do: "
-        "prescribe the creepage there",
+        "{:.6g}; where friction falls with the slip velocity forces have a peak and may jump",
         transmitted.force.x(), transmitted.force.y(), creepage.x(), creepage.y());
   }
   int evaluations() const { return evaluations_; }
@@ -160,9 +165,9 @@ class BracketedSearch {
     const FoundCreepage& most = law_.largest();
     fail(all_,
          fmt::format("friction that falls with the slip velocity transmits at most about {:.6g} N, "
-                     "at creepage {:.4g}, and less beyond; do: prescribe a smaller force, or the "
-                     "creepage, to go beyond the peak",
-                     most.transmitted.force[k_], most.creepage[k_]));
+                     "at creepage {:.4g}, and less beyond",
+                     most.transmitted.force[k_], most.creepage[k_]),
+         "prescribe a smaller force, or the creepage, to go beyond the peak");
   }
 
   /// From a creepage at which the force suffices.
@@ -240,10 +245,12 @@ class BroydenSearch {
         continue;
       }
       if (fresh)
-        fail(all_, fmt::format("the search for its creepage is stuck at {:.6g}, {:.6g}, where "
-                               "F_x = {:.6g} N, F_y = {:.6g} N",
-                               c_.x(), c_.y(), force_.x(), force_.y()) +
-                       law_.most_found());
+        fail(all_,
+             fmt::format("the search for its creepage is stuck at {:.6g}, {:.6g}, where "
+                         "F_x = {:.6g} N, F_y = {:.6g} N",
+                         c_.x(), c_.y(), force_.x(), force_.y()) +
+                 law_.most_found(),
+             beyond_peak);
       renew_jacobian();
       fresh = true;
     }
@@ -345,9 +352,11 @@ Eigen::Vector2d first_creepage(const PrescribedForce& wanted, const Eigen::Vecto
 void refuse_force_beyond_friction(const PrescribedForce& wanted, double bound) {
   const double size = std::hypot(wanted.longitudinal.value_or(0.0), wanted.lateral.value_or(0.0));
   if (size < sliding * bound) return;
-  fail(wanted, fmt::format("{:.6g} N is not below mu F_z = {:.6g} N, the most that friction can "
-                           "transmit; do: prescribe a smaller force, or the creepage instead",
-                           size, bound));
+  fail(wanted,
+       fmt::format("{:.6g} N is not below mu F_z = {:.6g} N, the most that friction can "
+                   "transmit",
+                   size, bound),
+       "prescribe a smaller force, or the creepage instead");
 }
 
 FoundCreepage find_creepage(const ForceLaw& law, const PrescribedForce& wanted,

@@ -11,16 +11,18 @@
 
 namespace rollfem::contact {
 
-std::string steep_friction_note(const LevelResult& level, const Friction& friction) {
-  if (level.steepness <= 1.0 && level.several == 0) return {};
+void warn_of_steep_friction(const LevelResult& level, const Friction& friction,
+                            std::vector<Note>& notes) {
+  if (level.steepness <= 1.0 && level.several == 0) return;
   const std::string found = level.several == 0
                                 ? std::string("several states are possible")
                                 : fmt::format("there are several states at {} of {} load points",
                                               level.several, level.points.size());
   const bool steps = !level.points.empty() && level.points.front().step > 0;
   const SteepCause steep = steep_cause(*friction, level.steepness, steps ? 0.0 : level.grid.dx);
-  return fmt::format(
-      "warning: {} ({:.2g} times what one element withstands) that {}, which depend on the grid: "
+  add_warning(
+      notes, "steep_friction",
+      "{} ({:.2g} times what one element withstands) that {}, which depend on the grid: "
       "the result is the one chosen by friction.branch; for one alone: {} (docs/friction.md)",
       steep.cause, level.steepness, found, steep.cure);
 }
@@ -36,9 +38,10 @@ void ContactRun::warn_if_steep() const {
   const SteepCause steep = steep_cause(*friction_, gain, way);
   ProgressEvent event;
   event.note = fmt::format(
-      "warning: {} ({:.2g} times what one element withstands) that there may be several states or "
+      "{} ({:.2g} times what one element withstands) that there may be several states or "
       "none, and a load point may take minutes; do: {}",
       steep.cause, gain, steep.cure);
+  event.warns = true;
   tell(event, "friction", true);
 }
 

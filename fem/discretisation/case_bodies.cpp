@@ -130,12 +130,12 @@ CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
                         const contact::Material& material) -> std::unique_ptr<Body> {
     const BodyOptions own = options_of(scene, shape.is_wheel, options);
     if (material.rigid()) {
-      bodies.notes.push_back(fmt::format("the {} is rigid and not meshed", key));
+      contact::add_note(bodies.notes, "rigid_" + key, "the {} is rigid and not meshed", key);
       return nullptr;
     }
     if (file.empty() && sections) return section_body(scene, shape, material, own, communicator);
     if (file.empty()) return std::make_unique<Body>(shape, material, own, communicator);
-    bodies.notes.push_back(fmt::format("the {} has the mesh of {}", key, file));
+    contact::add_note(bodies.notes, "mesh_" + key, "the {} has the mesh of {}", key, file);
     return imported_body(scene, key, file, shape, material, own, communicator);
   };
   if (wanted.wheel) bodies.wheel = make("wheel", scene.wheel.mesh, wheel, scene.wheel.material);
@@ -148,9 +148,9 @@ CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
   bodies.reach = std::min(reach(bodies.wheel.get(), !scene.wheel.mesh.empty()),
                           reach(bodies.rail.get(), !scene.rail.mesh.empty()));
   if (sections)
-    bodies.notes.push_back(section_note(scene));
+    bodies.notes.push_back({"mesh", section_note(scene)});
   else if (options.family == MeshFamily::gmsh)
-    bodies.notes.push_back("meshes by gmsh: swept cross-sections of quadrilaterals");
+    bodies.notes.push_back({"mesh", "meshes by gmsh: swept cross-sections of quadrilaterals"});
   return bodies;
 }
 

@@ -2,6 +2,7 @@
 // Wheel and rail of a case as finite-element bodies: meshed by rollfem, or on the user's meshes.
 #pragma once
 
+#include "contact/result/note.hpp"
 #include "fem/discretisation/body.hpp"
 
 #include <memory>
@@ -13,8 +14,8 @@ namespace rollfem::fem {
 struct CaseBodies {
   std::unique_ptr<Body> wheel;  ///< null: rigid
   std::unique_ptr<Body> rail;
-  double reach = 0.0;              ///< mm, from the patch to the nearer clamped boundary
-  std::vector<std::string> notes;  ///< on rigid bodies and meshes not of the family `structured`
+  double reach = 0.0;                ///< mm, from the patch to the nearer clamped boundary
+  std::vector<contact::Note> notes;  ///< on rigid bodies and meshes not of the family `structured`
 
   BodyPair both() const { return {wheel.get(), rail.get()}; }
   /// Whether half of each body is modelled.

@@ -133,7 +133,7 @@ struct Beside {
       if (const LevelResult* divided = shorter.solve(whole->grid))
         return halfspace::add_step_errors(whole->points, divided->points, steps, finest.points);
     }
-    finest.notes.emplace_back(halfspace::steps_left_out);
+    finest.notes.push_back({"steps", halfspace::steps_left_out});
   }
 
  private:
@@ -206,7 +206,7 @@ bool set_error_bars(const Scene& scene, std::vector<ModelResult>& levels) {
       for (const auto& [name, bar] : left_out) fine.error_estimate[name] += bar;
       fine.richardson.clear();
     }
-    halfspace::set_stress_bars(levels[last].grid, coarse, coarsest, true, fine);
+    halfspace::set_stress_bars(levels[last].grid, coarse, coarsest, fine);
     if (scene.yields()) set_pass_bars(coarse, fine);
   }
   if (!beside) return false;

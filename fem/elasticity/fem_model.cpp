@@ -129,7 +129,7 @@ class Levels {
   double estimate_seconds() const { return estimate_seconds_; }
   ModelResult take_finest() {
     ModelResult result = std::move(levels_.back());
-    result.notes.push_back(note_on_bars(2.0 * cell_, cell_, beside_half_spaces_));
+    result.notes.push_back({"bars", note_on_bars(2.0 * cell_, cell_, beside_half_spaces_)});
     broadcast_points(result);
     return result;
   }
@@ -165,7 +165,7 @@ void refuse_coarse_cells(const Scene& scene, double cell) {
   const double most =
       1.0 + 2.0 * margin * std::min(box.half_length / grid.dx, box.half_width / grid.dy);
   if (most < contact::fewest_elements_across && !contact::gives_grid(scene))
-    throw contact::UnfitGrid(scene.patch_prefix() +
+    throw contact::UnfitGrid(scene.where(),
                              contact::few_elements_text(elements(box.half_length, grid.dx),
                                                         elements(box.half_width, grid.dy), grid));
 }
@@ -196,7 +196,7 @@ ModelResult run_fem(const Scene& scene, const contact::Progress& progress,
   constexpr double growth = 1.3;
   constexpr int most_times = 6;
   Scene grown = scene;
-  std::vector<std::string> notes;
+  std::vector<contact::Note> notes;
   for (int times = 0;; ++times) try {
       contact::CheckpointPart part(checkpoint, std::string(static_cast<std::size_t>(times), 'x'));
       ModelResult result = run_with_streamlines(grown, progress, &part);
@@ -208,13 +208,14 @@ ModelResult run_fem(const Scene& scene, const contact::Progress& progress,
             fmt::format("{}; do: give a larger fem.plastic_extent than {:.3g}", beyond.what(),
                         grown.options.fem.plastic_extent));
       grown.options.fem.plastic_extent *= growth;
-      notes.assign(1, fmt::format("fem.plastic_extent grew from {:.3g} to {:.3g}, because {}",
-                                  scene.options.fem.plastic_extent,
-                                  grown.options.fem.plastic_extent, beyond.what()));
+      notes = {{"plastic_extent",
+                fmt::format("fem.plastic_extent grew from {:.3g} to {:.3g}, because {}",
+                            scene.options.fem.plastic_extent, grown.options.fem.plastic_extent,
+                            beyond.what())}};
       contact::ProgressEvent event;
       event.model = "fem";
       event.stage = "plastic flow";
-      event.note = notes.front();
+      event.note = notes.front().text;
       event.finished = true;
       contact::report(progress, event);
     }

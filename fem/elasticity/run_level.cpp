@@ -56,27 +56,28 @@ struct Task {
 
 void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
                const RunLayout& layout, const CaseBodies& bodies, const std::string& solver,
-               std::vector<std::string>& notes) {
-  notes.push_back(far_boundary_note(scene, bodies.reach));
-  if (!bodies.notes.empty()) notes.push_back(fmt::format("{}", fmt::join(bodies.notes, "\n")));
+               std::vector<contact::Note>& notes) {
+  notes.push_back({"far_boundary", far_boundary_note(scene, bodies.reach)});
+  notes.insert(notes.end(), bodies.notes.begin(), bodies.notes.end());
   const double steepest = geometry.shape(layout.grid).climb.cwiseAbs().maxCoeff();
   if (steepest > 0.05)
-    notes.push_back(fmt::format(
-        "the patch is curved (slope {:.2g} at the edge of the grid): tractions, slip and gap are "
-        "along the local normal and tangents, y is the lateral coordinate, forces are along x, y, "
-        "z",
-        steepest));
+    contact::add_note(notes, "curved",
+                      "the patch is curved (slope {:.2g} at the edge of the grid): tractions, slip "
+                      "and gap are along the local normal and tangents, y is the lateral "
+                      "coordinate, forces are along x, y, z",
+                      steepest);
   if (scene.has_profiles()) {
     const double yaw = std::asin(scene.geometry.surface.profiles->axle().direction[0]);
     if (std::abs(yaw) > 1e-9)
-      notes.push_back(
-          fmt::format("the wheel is yawed by {:.3g} mrad: undeformed distance and slip include "
-                      "this; its finite-element body is revolved about the axle without yaw",
-                      1e3 * yaw));
+      contact::add_note(notes, "yaw",
+                        "the wheel is yawed by {:.3g} mrad: undeformed distance and slip include "
+                        "this; its finite-element body is revolved about the axle without yaw",
+                        1e3 * yaw);
   }
-  if (bodies.half()) notes.push_back("half of each body is modelled: y = 0 is a symmetry plane");
-  notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",
-                              layout.bodies.cell_size, layout.bodies.degree, solver));
+  if (bodies.half())
+    notes.push_back({"symmetry", "half of each body is modelled: y = 0 is a symmetry plane"});
+  contact::add_note(notes, "cells", "cells of {:.4g} mm in the patch, degree {}; {}",
+                    layout.bodies.cell_size, layout.bodies.degree, solver);
 }
 
 /// What the load points of a level share: bodies, linear solvers and compliance on the contact
@@ -306,10 +307,8 @@ void SharedLevel::make_compliance() {
 void SharedLevel::spin_wheel() {
   expansion = wheel_expansion(*bodies_.wheel, *solvers_[0], geometry_.geometry().surface,
                               layout.grid, scene.upwind_order);
-  result_.notes.push_back(
-      fmt::format("rolling at {:.4g} mm/s: inertia of wheel and rail; rotation expands the wheel "
-                  "by {:.3g} mm, which raises the axle and is subtracted from the approach",
-                  scene.speed, -expansion->distance.mean()));
+  contact::add_note(result_.notes, "inertia",
+                    "rolling at {:.4g} mm/s: inertia of wheel and rail;
 }
 
 void SharedLevel::add_stresses(const FemCompliance& of_point, std::size_t k, PointResult& point) {
@@ -362,13 +361,14 @@ void refuse_further_patches(const Scene& scene, const contact::ChartedGeometry& 
     if (!beyond) continue;
     const double lower = std::min((*beyond)[0], grid.y(0)) - grid.dy;
     const double upper = std::max((*beyond)[1], grid.y(grid.ny - 1)) + grid.dy;
-    throw contact::SolveError(fmt::format(
-        "{}: {}wheel and rail also touch between y = {:.4g} and {:.4g} mm, beyond the potential "
-        "contact area from {:.4g} to {:.4g} mm; do: give contact_grid.extent = [{:.3g}, {:.3g}] "
+    throw contact::SolveError(
+        scene.where(),
+        "wheel and rail also touch between y = {:.4g} and {:.4g} mm, beyond the potential "
+        "contact area from {:.4g} to {:.4g} mm; do: give contact_grid.extent = [{:.3g}, "
+        "{:.3g}] "
         "and middle = [0, {:.3g}]",
-        scene.file, scene.patch_prefix(), (*beyond)[0], (*beyond)[1], grid.y(0) - 0.5 * grid.dy,
-        grid.y(grid.ny - 1) + 0.5 * grid.dy, grid.nx * grid.dx, 1.1 * (upper - lower),
-        0.5 * (lower + upper)));
+        (*beyond)[0], (*beyond)[1], grid.y(0) - 0.5 * grid.dy, grid.y(grid.ny - 1) + 0.5 * grid.dy,
+        grid.nx * grid.dx, 1.1 * (upper - lower), 0.5 * (lower + upper));
   }
 }
 
@@ -427,11 +427,11 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
   if (!solved) refuse_border(scene, geometry, layout.grid);
   contact::LevelResult level = *std::move(solved);
   refuse_further_patches(scene, geometry, layout.grid, level.points);
-  if (std::string note = contact::steep_friction_note(level, scene.friction()); !note.empty())
-    result.notes.push_back(std::move(note));
+  contact::warn_of_steep_friction(level, scene.friction(), result.notes);
   result.points = std::move(level.points);
   for (const contact::YieldedSection& section : result.points.back().yielded)
-    result.notes.push_back(verdict_note(section, static_cast<int>(result.points.size())));
+    result.notes.push_back({fmt::format("{} of the {}", section.verdict, section.body),
+                            verdict_note(section, static_cast<int>(result.points.size()))});
   result.seconds["normal"] += level.normal_seconds;
   result.seconds["tangential"] = level.tangential_seconds;
 }

@@ -24,9 +24,6 @@ class YieldingBody;
 class YieldsBeyondStreamlines : public contact::SolveError {
  public:
   using SolveError::SolveError;
-  std::exception_ptr retold(const std::string& text) const override {
-    return std::make_exception_ptr(YieldsBeyondStreamlines(text));
-  }
 };
 
 class YieldingBodies {

@@ -81,7 +81,7 @@ class SurfaceNodes {
                const contact::ContactGrid& grid, const contact::ContactSurface& surface)
       : recovery_(recovery), own_(recovery.nodes([&](const Place& p) {
           const auto chart = body.shape().coordinates({p[0], p[1], p[2]});
-          return std::abs(chart[2]) <= on_surface * body.options().cell_size &&
+          return std::abs(chart[2]) <= surface_depth * body.options().cell_size &&
                  chart[0] >= grid.x(0) && chart[0] <= grid.x(grid.nx - 1) &&
                  chart[1] >= grid.y(0) && chart[1] <= grid.y(grid.ny - 1);
         })) {
@@ -95,7 +95,7 @@ class SurfaceNodes {
       if (process == me) first_ = all.size();
       all.insert(all.end(), of_processes[process].begin(), of_processes[process].end());
     }
-    points_ = locator.find(all, on_surface * body.options().cell_size);
+    points_ = locator.find(all, surface_depth * body.options().cell_size);
     stress_.emplace(body, locator, points_, grid, surface);
   }
 
@@ -109,7 +109,6 @@ class SurfaceNodes {
   }
 
  private:
-  static constexpr double on_surface = 1e-3;  ///< in cells
   const StressRecovery& recovery_;
   std::vector<StressRecovery::Node> own_;
   std::size_t first_ = 0;  ///< of own_ among those of all processes
@@ -230,8 +229,7 @@ struct StressOutput::Implementation {
     for (std::size_t m = 0; m < starts.size(); ++m) {
       const StressMaximum found = refined(part, stress, m, starts[m]);
       if (depth_of(part, found.place) < near_surface * starts[m].size)
-        point.no_bar[fmt::format("max_{}_{}", found.measure, found.body)] =
-            contact::no_bar::near_surface;
+        point.no_bar[found.bar_name()] = contact::NoBar::near_surface;
       point.stress_maxima.push_back(found);
     }
     point.stress_maxima.push_back(contact::largest_surface_shear(part.name, grid, point));

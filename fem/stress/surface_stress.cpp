@@ -15,10 +15,6 @@ namespace {
 using Tensor1 = dealii::Tensor<1, 3>;
 using Tensor2 = dealii::Tensor<2, 3>;
 
-/// Depth in cells up to which a point is on the surface: deviation of a curved element from the
-/// surface.
-constexpr double surface_depth = 1e-3;
-
 /// Distance in cells by which its neighbours may be off the surface of coarser elements.
 constexpr double around_reach = 0.1;
 

@@ -8,7 +8,10 @@
 
 namespace rollfem::fem {
 
-/// The points of a list that lie on the contact surface of a body, within a thousandth of a cell.
+/// Depth in cells up to which a point is on the surface: deviation of a curved element from it.
+inline constexpr double surface_depth = 1e-3;
+
+/// The points of a list that lie on the contact surface of a body.
 class SurfaceStress {
  public:
   /// The body of `locator` must outlive this object. `grid` and `surface` as in SurfaceCoupling.

@@ -88,19 +88,21 @@ contact::Curvatures curvatures_of_scene(const contact::Scene& scene) {
   if (scene.given_pressure) return hertz_curvatures(hertz_of_scene(scene), modulus_of(scene));
   if (scene.geometry.distance_values)
     throw contact::InputError(
-        fmt::format("{}: undeformed_distance.file: bodies given point by point have no Hertz "
-                    "ellipse; allowed: radii or geometry.quadratic; do: run with --model halfspace",
-                    scene.file));
+        scene.where(),
+        "undeformed_distance.file: bodies given point by point have no Hertz "
+        "ellipse; allowed: radii or geometry.quadratic; do: run with --model halfspace");
   const contact::Curvatures curvatures = contact::relative_curvatures(scene.geometry);
   if (scene.has_profiles() && !(curvatures.A > 0.0 && curvatures.B > 0.0))
-    throw contact::InputError(fmt::format(
-        "{}: {}Hertz: at the contact point the profiles have the relative curvatures A = {:.4g} "
+    throw contact::InputError(
+        scene.where(),
+        "Hertz: at the contact point the profiles have the relative curvatures A = {:.4g} "
         "/mm along rolling and B = {:.4g} /mm across, which do not form an ellipse{}; allowed: "
-        "both above 0; do: run with --model halfspace or strip, which use the profiles themselves",
-        scene.file, scene.patch_prefix(), curvatures.A, curvatures.B,
+        "both above 0; do: run with --model halfspace or strip, which use the profiles "
+        "themselves",
+        curvatures.A, curvatures.B,
         curvatures.B > 0.0 ? ""
                            : ": it lies in a valley, between two patches or on a wave of a "
-                             "measured profile"));
+                             "measured profile");
   return curvatures;
 }
 

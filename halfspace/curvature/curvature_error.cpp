@@ -107,14 +107,16 @@ void add_model_error(const contact::Scene& scene, const contact::Progress& progr
   } catch (const contact::Failure& error) {  // the result stands without it
     why = error.what();
   }
-  result.model_error_source =
-      errors
-          ? fmt::format(
-                "difference from bodies with their true curvature, to first order, with {} "
-                "elements across",
-                elements_across)
-          : fmt::format("not estimated: no result for curved bodies with {} elements across ({})",
-                        elements_across, why);
+  result.set_note(
+      errors ? contact::Note{contact::about_model_error,
+                             fmt::format("difference from bodies with their true curvature, to "
+                                         "first order, with {} elements across",
+                                         elements_across)}
+             : contact::Note{contact::about_model_error,
+                             fmt::format("not estimated: no result for curved bodies with {} "
+                                         "elements across ({})",
+                                         elements_across, why),
+                             contact::Note::warning});
   for (std::size_t k = 0; errors && k < result.points.size(); ++k)
     for (const auto& [name, change] : errors->at(k))
       result.points[k].model_error[name] = std::abs(change);

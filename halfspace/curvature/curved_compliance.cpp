@@ -37,10 +37,10 @@ double extent_of_bodies(const Scene& scene) {
 
 void check_bodies_known(const Scene& scene) {
   if (scene.geometry.has_surfaces()) return;
-  throw contact::InputError(fmt::format(
-      "{}: halfspace.model_error = true: only the undeformed distance of the bodies is known; "
-      "allowed: wheel and rail with radii or profiles; do: give those, or remove model_error",
-      scene.file));
+  throw contact::InputError(
+      scene.where(),
+      "halfspace.model_error = true: only the undeformed distance of the bodies is known; "
+      "allowed: wheel and rail with radii or profiles; do: give those, or remove model_error");
 }
 
 BodySurface body_surface(const Scene& scene, bool wheel) {

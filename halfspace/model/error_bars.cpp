@@ -379,25 +379,27 @@ void set_error_bars(const Scene& scene, std::size_t k, const ContactGrid& grid,
   contact::explain_singular_values(scene, grid, fine);
 }
 
+void mark_near_surface(double depth, PointResult& point) {
+  for (const contact::StressMaximum& maximum : point.stress_maxima)
+    if (maximum.measure != contact::surface_shear && std::abs(maximum.place[2]) < depth)
+      point.no_bar[maximum.bar_name()] = contact::NoBar::near_surface;
+}
+
 void set_stress_bars(const ContactGrid& grid, const PointResult& coarse,
-                     const PointResult* coarsest, bool to_surface, PointResult& fine) {
+                     const PointResult* coarsest, PointResult& fine) {
   const auto bar = [&](double value, double middle, double first) {
     return combined(of_stress, coarsest != nullptr,
                     {value - middle, of_stress.before * (middle - first),
                      0.1 * fine.max_pressure / std::pow(elements_across(grid, fine), 1.5)});
   };
-  const double layer = grid.longer_side();
   for (std::size_t m = 0; m < fine.stress_maxima.size(); ++m) {
-    constexpr double below = 1.5, below_coarse = 2.2;
     const contact::StressMaximum& maximum = fine.stress_maxima[m];
     const contact::StressMaximum& middle = coarse.stress_maxima[m];
     if (maximum.measure == contact::surface_shear) continue;  // the largest traction has a bar
-    const std::string name = fmt::format("max_{}_{}", maximum.measure, maximum.body);
+    const std::string name = maximum.bar_name();
     const auto told = [&](const PointResult& point) { return point.no_bar.count(name) != 0; };
-    if (told(fine) || told(coarse) ||
-        (!to_surface && (std::abs(maximum.place[2]) < below * layer ||
-                         std::abs(middle.place[2]) < below_coarse * layer)))
-      fine.no_bar[name] = contact::no_bar::near_surface;
+    if (told(fine) || told(coarse))
+      fine.no_bar[name] = contact::NoBar::near_surface;
     else
       fine.error_estimate[name] = bar(maximum.value, middle.value,
                                       coarsest ? coarsest->stress_maxima[m].value : middle.value);

@@ -17,12 +17,13 @@ void set_error_bars(const contact::Scene& scene, std::size_t k, const contact::C
                     contact::PointResult& fine, const WaveErrors* waves = nullptr);
 
 /// The same for the stresses at the requested points ("subsurface_stress", for the worst component
-/// of all), and for the largest stresses ("max_von_mises_wheel"). Maxima at the surface have no bar
-/// but the word "near surface": those that either grid has marked so, and, unless the stresses are
-/// known `to_surface`, those at the end of the layer of one element length, which is excluded from
-/// the search and may contain larger ones.
+/// of all), and for the largest stresses ("max_von_mises_wheel"), except those that either grid has
+/// marked as near the surface.
 void set_stress_bars(const contact::ContactGrid& grid, const contact::PointResult& coarse,
-                     const contact::PointResult* coarsest, bool to_surface,
-                     contact::PointResult& fine);
+                     const contact::PointResult* coarsest, contact::PointResult& fine);
+
+/// Marks the largest stresses above this depth, mm, as NoBar::near_surface: those at the end of the
+/// layer of one element length, which is excluded from the search and may contain larger ones.
+void mark_near_surface(double depth, contact::PointResult& point);
 
 }  // namespace rollfem::halfspace

@@ -157,39 +157,42 @@ std::string discretisation_words(const Scene& scene) {
 }
 
 void add_notes(const Scene& scene, ModelResult& result) {
+  contact::add_note(result.notes, "grid",
+                    "elastic half-spaces; contact elements of {:.4g} by {:.4g} mm {}",
+                    result.grid.dx, result.grid.dy, discretisation_words(scene));
   result.notes.push_back(
-      fmt::format("elastic half-spaces; contact elements of {:.4g} by {:.4g} mm {}", result.grid.dx,
-                  result.grid.dy, discretisation_words(scene)));
-  result.notes.push_back(
-      "error bars: from grids with cells of this, twice and four times the size, and from the "
-      "solution near edges and peaks; they hold in about 95 of 100 random contacts "
-      "(docs/accuracy.md)");
+      {"bars",
+       "error bars: from grids with cells of this, twice and four times the size, and from the "
+       "solution near edges and peaks; they hold in about 95 of 100 random contacts "
+       "(docs/accuracy.md)"});
   if (const auto& line = scene.geometry.line)
-    result.notes.push_back(
-        fmt::format("line contact: endless rollers in plane strain; forces, moments, areas and "
-                    "work refer to a width of {:g} mm; displacements are relative to {}",
-                    line->width,
-                    std::isinf(line->reference)
-                        ? "distant points, in the middle of this width"
-                        : fmt::format("the surface at {:g} mm from a line load", line->reference)));
+    contact::add_note(
+        result.notes, "line_contact",
+        "line contact: endless rollers in plane strain; forces, moments, areas and "
+        "work refer to a width of {:g} mm; displacements are relative to {}",
+        line->width,
+        std::isinf(line->reference)
+            ? "distant points, in the middle of this width"
+            : fmt::format("the surface at {:g} mm from a line load", line->reference));
   if (scene.follows_surface > 0.0 && scene.follows_surface < 1.0)
-    result.notes.push_back(
-        fmt::format("the normals of this contact spread too much for a plane and too little for "
-                    "the full curved surface: the grid lies on a surface in between, with {:.2f} "
-                    "of the slopes of the common surface",
-                    scene.follows_surface));
+    contact::add_note(result.notes, "partly_curved",
+                      "the normals of this contact spread too much for a plane and too little for "
+                      "the full curved surface: the grid lies on a surface in between, with {:.2f} "
+                      "of the slopes of the common surface",
+                      scene.follows_surface);
   if (scene.follows_surface > 0.0)
     result.notes.push_back(
-        "curved contact, because of halfspace.surface or the spread of the normals: y of the "
-        "contact grid and contact_width are arc lengths along the common surface, tractions along "
-        "its local tangents and normal, forces along x, y, z; compliance of the unrolled surface; "
-        "normal_force includes the tangential tractions along z, which the given force does not");
+        {"curved",
+         "curved contact, because of halfspace.surface or the spread of the normals: y of the "
+         "contact grid and contact_width are arc lengths along the common surface, tractions along "
+         "its local tangents and normal, forces along x, y, z; compliance of the unrolled surface; "
+         "normal_force includes the tangential tractions along z, which the given force does not"});
   const double difference = scene.material.difference;
   if (std::abs(difference) > 1e-12)
-    result.notes.push_back(
-        fmt::format("unlike materials, K = {:.4g}: normal and tangential problem are coupled; "
-                    "iterations are outer iterations",
-                    difference));
+    contact::add_note(result.notes, "unlike_materials",
+                      "unlike materials, K = {:.4g}: normal and tangential problem are coupled; "
+                      "iterations are outer iterations",
+                      difference);
 }
 
 /// The finest level so far and the coarser ones; null if missing.
@@ -240,7 +243,7 @@ void count_steps(const Scene& scene, const PatchSearch& area, const std::vector<
   const auto divided = coarser_level(steps.scene, area, cells[cells.size() - 2], nullptr, true,
                                      progress, elasticity);
   if (!divided) {
-    result.notes.emplace_back(steps_left_out);
+    result.notes.push_back({"steps", steps_left_out});
     return;
   }
   add_step_errors(levels.coarse->points, divided->points, steps, levels.fine->points);
@@ -270,10 +273,14 @@ void add_stresses(const Scene& scene, const GridElasticity& elasticity, Levels& 
       if (maxima) point.stress_maxima = stress_maxima(scene, (*level)->grid, point);
     }
   }
-  for (std::size_t k = 0; k < levels.fine->points.size(); ++k)
-    if (solved_twice(levels, k))
-      set_stress_bars(levels.fine->grid, levels.coarse->points[k], levels.coarsest_point(k), false,
-                      levels.fine->points[k]);
+  const double element = levels.fine->grid.longer_side();
+  for (std::size_t k = 0; k < levels.fine->points.size(); ++k) {
+    if (!solved_twice(levels, k)) continue;
+    mark_near_surface(1.5 * element, levels.fine->points[k]);
+    mark_near_surface(2.2 * element, levels.coarse->points[k]);
+    set_stress_bars(levels.fine->grid, levels.coarse->points[k], levels.coarsest_point(k),
+                    levels.fine->points[k]);
+  }
   result.seconds["subsurface"] = watch.seconds();
 }
 
@@ -284,10 +291,11 @@ void note_yielding(const Scene& scene, const Levels& levels, ModelResult& result
   for (const contact::StressMaximum& maximum : maxima) {
     const auto& steel = (maximum.body == "wheel" ? scene.wheel : scene.rail).plasticity;
     if (!steel || maximum.measure != "von_mises" || maximum.value <= steel->yield_stress) continue;
-    result.notes.push_back(fmt::format(
-        "the half-space is elastic: the largest von Mises stress in the {} is {:.4g} MPa, {:.3g} "
-        "times the yield stress; model fem takes plastic flow into account",
-        maximum.body, maximum.value, maximum.value / steel->yield_stress));
+    contact::add_note(
+        result.notes, fmt::format("yield_{}", maximum.body),
+        "the half-space is elastic: the largest von Mises stress in the {} is {:.4g} "
+        "MPa, {:.3g} times the yield stress; model fem takes plastic flow into account",
+        maximum.body, maximum.value, maximum.value / steel->yield_stress);
   }
 }
 
@@ -426,8 +434,9 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
     if (!last) continue;
     if (!levels.coarse && !scene.accuracy.relative) {
       result.notes.push_back(
-          "no error estimates: the given grid cannot contain the patch with elements of twice the "
-          "size, or has no solution with them");
+          {"no_bars",
+           "no error estimates: the given grid cannot contain the patch with elements of twice the "
+           "size, or has no solution with them"});
       break;
     }
     if (levels.coarse) warning = set_bars(scene, levels);
@@ -443,19 +452,18 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   result.grid = fine.grid;
   result.contact_elements = fine.contact_elements;
   result.unknowns = 3L * fine.contact_elements;
-  std::string steep = contact::steep_friction_note(fine, scene.friction());
+  contact::warn_of_steep_friction(fine, scene.friction(), result.notes);
   result.points = std::move(fine.points);
   contact::place_pass_work(halfspace_geometry(scene), scene.place, result);
   add_notes(scene, result);
-  if (!warning.empty()) result.notes.push_back(std::move(warning));
-  if (!steep.empty()) result.notes.push_back(std::move(steep));
+  if (!warning.empty()) result.notes.push_back({"waves", std::move(warning)});
   result.seconds["total"] = watch.seconds();
   if (fine.unsolved.empty()) return result;
   const std::string why =
       fmt::format("{} of {} load points are left empty, because they have no solution: {}",
                   fine.unsolved.size(), scene.points.size(), fine.unsolved.begin()->second);
   result.shortfall = why;
-  result.notes.push_back("warning: " + why);
+  result.notes.push_back({"unsolved", why, contact::Note::warning});
   throw contact::PartlySolved(why, std::move(result));
 }
 

@@ -146,7 +146,7 @@ std::vector<EllipseForces> roll_ellipse(const EllipseShape& shape,
                                         const EllipseAccuracy& accuracy) {
   check(shape, creepages, accuracy);
   if (creepages.empty()) return {};
-  return contact::at_place(fmt::format("table, axis ratio {:g}: ", shape.axis_ratio), [&] {
+  return contact::at_place({fmt::format("table, axis ratio {:g}", shape.axis_ratio)}, [&] {
     return all_levels(shape, scaled_scene(shape, creepages), accuracy);
   });
 }

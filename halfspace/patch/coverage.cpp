@@ -34,10 +34,11 @@ void check_limits(const contact::Scene& scene, const contact::ChartedGeometry& g
     if (profiles.within_limits(y - grid.dy) && profiles.within_limits(y + grid.dy)) continue;
     if (!(pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0)) continue;
     throw contact::ConformalContact(
-        fmt::format("{}the patch reaches y = {:.2f} mm, where another contact of the same wheel "
-                    "begins: both are one conformal contact, which a plane cannot represent; do: "
-                    "run with halfspace.surface = \"curved\"",
-                    scene.patch_prefix(), y));
+        scene.where(),
+        "the patch reaches y = {:.2f} mm, where another contact of the same wheel "
+        "begins: both are one conformal contact, which a plane cannot represent; do: "
+        "run with halfspace.surface = \"curved\"",
+        y);
   }
 }
 

@@ -227,9 +227,10 @@ ExpectedPatch patch_of_profiles(const Scene& scene, const Ridge& ridge, SearchDe
   const auto solve_overlap = [&] {
     const Overlap overlap = ridge.overlap(level);
     if (overlap.regions.empty())
-      throw contact::SolveError(fmt::format(
-          "{}: no contact: the approach {} mm does not exceed the smallest distance {} mm",
-          scene.file, level, ridge.least_distance()));
+      throw contact::SolveError(
+          scene.where(),
+          "no contact: the approach {} mm does not exceed the smallest distance {} mm", level,
+          ridge.least_distance());
     // There is no contact outside the overlap: the elastic displacement always opens the gap, so
     // that h < approach wherever there is pressure.
     return solve_in(scene, &ridge, overlap.box, load,
@@ -353,12 +354,12 @@ void check_profiles_reach(const Scene& scene, double y_lower, double y_upper) {
   const auto check = [&](const contact::HeightCurve& curve, const char* body) {
     const bool below = y_lower < curve.first();
     if (!below && y_upper <= curve.last()) return;
-    throw contact::InputError(fmt::format(
-        "{}: {}.profile: {}profile too short for the contact: it ends at y = {:.4g} mm of the "
-        "patch, but the contact reaches from {:.4g} to {:.4g} mm; allowed: profiles that extend "
-        "beyond the patch; do: give a longer profile, or move the wheelset",
-        scene.file, body, scene.patch_prefix(), below ? curve.first() : curve.last(), y_lower,
-        y_upper));
+    throw contact::InputError(
+        scene.where(),
+        "{}.profile: profile too short for the contact: it ends at y = {:.4g} mm of the "
+        "patch, but the contact reaches from {:.4g} to {:.4g} mm; allowed: profiles that "
+        "extend beyond the patch; do: give a longer profile, or move the wheelset",
+        body, below ? curve.first() : curve.last(), y_lower, y_upper);
   };
   check(scene.geometry.surface.profiles->rail(), "rail");
   check(scene.geometry.surface.profiles->wheel(), "wheel");

@@ -32,10 +32,11 @@ void check_cells(const contact::Scene& scene, const PatchExtent& extent, double 
     if (nx * std::max(ny, 1.0) <= largest_number_of_elements && ny <= largest_number_of_elements)
       return;
   }
-  throw contact::InputError(fmt::format(
-      "{}: contact_grid.cell_size = [{}, {}] mm: a patch of about {:.4g} by {:.4g} mm needs cells "
+  throw contact::InputError(
+      scene.where(),
+      "contact_grid.cell_size = [{}, {}] mm: a patch of about {:.4g} by {:.4g} mm needs cells "
       "above 0 and at most {:.0e} of them; do: choose larger cells",
-      scene.file, dx, dy, extent.length, extent.width, largest_number_of_elements));
+      dx, dy, extent.length, extent.width, largest_number_of_elements);
 }
 
 /// A tiny patch may lie far from the origin, where the bodies touch first.
@@ -43,12 +44,12 @@ void check_distance(const contact::Scene& scene, const ExpectedPatch& patch, dou
   const double length = std::max(patch.x_upper, 0.0) - std::min(patch.x_lower, 0.0);
   const double width = std::max(patch.y_upper, 0.0) - std::min(patch.y_lower, 0.0);
   if (length / dx * (width / dy) <= largest_number_of_elements) return;
-  throw contact::SolveError(fmt::format(
-      "{}: the patch, of about {:.3g} by {:.3g} mm, lies up to {:.3g} mm from the place where "
-      "wheel "
-      "and rail touch first, which the contact grid contains too: it needs more than {:.0e} "
+  throw contact::SolveError(
+      scene.where(),
+      "the patch, of about {:.3g} by {:.3g} mm, lies up to {:.3g} mm from the place where "
+      "wheel and rail touch first, which the contact grid contains too: it needs more than {:.0e} "
       "elements; do: give a larger load, or a larger contact_grid.cell_size",
-      scene.file, patch.length, patch.width, std::max(length, width), largest_number_of_elements));
+      patch.length, patch.width, std::max(length, width), largest_number_of_elements);
 }
 
 /// Elements of dx by dy that contain the patch, the origin and a margin, on the lattice with a
@@ -91,10 +92,12 @@ void PatchSearch::check_extent_of_profiles() const {
   const contact::HeightCurve& rail = scene_.geometry.surface.profiles->rail();
   const double most = most_times * (rail.last() - rail.first());
   if (std::max((*extent)[0], (*extent)[1]) <= most) return;
-  throw contact::InputError(fmt::format(
-      "{}: contact_grid.extent = [{:.4g}, {:.4g}] mm: the rail's profile is {:.4g} mm wide; "
-      "allowed: up to {:g} times that, {:.4g} mm; do: give the extent of the patches, or remove it",
-      scene_.file, (*extent)[0], (*extent)[1], rail.last() - rail.first(), most_times, most));
+  throw contact::InputError(
+      scene_.where(),
+      "contact_grid.extent = [{:.4g}, {:.4g}] mm: the rail's profile is {:.4g} mm wide; "
+      "allowed: up to {:g} times that, {:.4g} mm; do: give the extent of the patches, or "
+      "remove it",
+      (*extent)[0], (*extent)[1], rail.last() - rail.first(), most_times, most);
 }
 
 /// Rejects an area that cannot contain the patch, or is far too large for it, by the closed form.
@@ -119,12 +122,12 @@ void PatchSearch::check_extent() const {
   if (fits) return;
   const std::array<double, 2> extent = options.extent.value_or(size);
   throw contact::InputError(
-      fmt::format("{}: contact_grid.extent = [{:.4g}, {:.4g}] mm about [{:g}, {:g}]: the patch, of "
-                  "about {:.4g} by {:.4g} mm about [0, 0] by Hertz, is not inside it, or smaller "
-                  "than a hundredth of it; allowed: an extent from that of the patch to {:g} times "
-                  "as much; do: correct contact_grid.extent or middle, or remove them",
-                  scene_.file, extent[0], extent[1], options.middle[0], options.middle[1], size[0],
-                  size[1], most_times));
+      scene_.where(),
+      "contact_grid.extent = [{:.4g}, {:.4g}] mm about [{:g}, {:g}]: the patch, of "
+      "about {:.4g} by {:.4g} mm about [0, 0] by Hertz, is not inside it, or smaller "
+      "than a hundredth of it; allowed: an extent from that of the patch to {:g} times "
+      "as much; do: correct contact_grid.extent or middle, or remove them",
+      extent[0], extent[1], options.middle[0], options.middle[1], size[0], size[1], most_times);
 }
 
 void PatchSearch::check_shape_of_cells(double dx, double dy) const {
@@ -134,11 +137,12 @@ void PatchSearch::check_shape_of_cells(double dx, double dy) const {
   const double nx = extent.length / dx, ny = extent.width / dy;
   if (std::max(nx, ny) <= most_times * std::min(nx, ny)) return;
   throw contact::InputError(
-      fmt::format("{}: contact_grid.cell_size = [{:g}, {:g}] mm gives {:.4g} by {:.4g} elements in "
-                  "the box of {:.4g} by {:.4g} mm around the patch; allowed: up to {:g} times as "
-                  "many in one direction as in the other; do: choose cells in the shape of the "
-                  "patch, or give contact_grid.elements_across",
-                  scene_.file, dx, dy, nx, ny, extent.length, extent.width, most_times));
+      scene_.where(),
+      "contact_grid.cell_size = [{:g}, {:g}] mm gives {:.4g} by {:.4g} elements in "
+      "the box of {:.4g} by {:.4g} mm around the patch; allowed: up to {:g} times as "
+      "many in one direction as in the other; do: choose cells in the shape of the "
+      "patch, or give contact_grid.elements_across",
+      dx, dy, nx, ny, extent.length, extent.width, most_times);
 }
 
 /// A grid within twice the reference distance keeps the compliance positive: its logarithm is
@@ -156,17 +160,19 @@ ContactGrid PatchSearch::line_grid(double dx, int margin) const {
   const double least = (finite ? 5.0 : 0.5) * nx * dx;
   const double radius = std::abs(scene_.geometry.surface.rolling_radius);
   if (given < least && patch().length > 2.0 * radius)
-    throw contact::InputError(fmt::format(
-        "{}: the patch of {:.4g} mm by Hertz is longer than the body, whose relative radius is "
-        "{:.4g} mm: no half-space; allowed: a patch that is short against the radius; do: check "
-        "the load (N), young_modulus (MPa) and the radius (mm)",
-        scene_.file, patch().length, radius));
+    throw contact::InputError(
+        scene_.where(),
+        "the patch of {:.4g} mm by Hertz is longer than the body, whose relative radius is "
+        "{:.4g} mm: no half-space; allowed: a patch that is short against the radius; do: "
+        "check the load (N), young_modulus (MPa) and the radius (mm)",
+        patch().length, radius);
   if (given < least)
-    throw contact::InputError(fmt::format(
-        "{}: geometry.{} = {:g} mm: the contact grid is {:.4g} mm long; allowed: at least {:.4g} "
+    throw contact::InputError(
+        scene_.where(),
+        "geometry.{} = {:g} mm: the contact grid is {:.4g} mm long; allowed: at least {:.4g} "
         "mm, {} that; do: give a larger one, or a shorter contact_grid.extent",
-        scene_.file, finite ? "width" : "reference_distance", given, nx * dx, least,
-        finite ? "with reference_distance = inf five times" : "half of"));
+        finite ? "width" : "reference_distance", given, nx * dx, least,
+        finite ? "with reference_distance = inf five times" : "half of");
   ContactGrid grid = ContactGrid::centred(nx, 1, dx, line.width, options.middle[0], 0.0);
   grid.line_reference = line.reference;
   return grid;
@@ -199,9 +205,9 @@ ContactGrid PatchSearch::grid(double dx, double dy, int margin) const {
 ContactGrid PatchSearch::grid(int margin) const {
   const contact::GridOptions& options = scene_.contact_grid;
   if (!options.cell_size && options.elements_across < 1)
-    throw contact::InputError(
-        fmt::format("{}: contact_grid.elements_across = {}: must be at least 1", scene_.file,
-                    options.elements_across));
+    throw contact::InputError(scene_.where(),
+                              "contact_grid.elements_across = {}: must be at least 1",
+                              options.elements_across);
   const PatchExtent extent = this->extent();
   const double across = options.elements_across;
   const double dx = options.cell_size ? (*options.cell_size)[0] : extent.length / across;

@@ -260,9 +260,10 @@ struct Basis {
     fit.compute(weight.asDiagonal() * out);
     if (fit.rank() < fit.cols())
       throw contact::SolveError(
-          fmt::format("{}: model hybrid: {} by {} elements are too few to compute the correction; "
-                      "do: run with --model fem",
-                      scene.file, grid.nx, grid.ny));
+          scene.where(),
+          "model hybrid: {} by {} elements are too few to compute the correction; "
+          "do: run with --model fem",
+          grid.nx, grid.ny);
     below = {below_beside * layout.patch.half_length, 0.5 * below_beside * (upper - lower),
              loads.middle};
     deep = below_depth * layout.patch.smaller();
@@ -420,20 +421,20 @@ bool needs_mesh(const Scene& scene, bool wheel, bool stresses) {
 
 /// The part of a body that needs no mesh.
 void add_half_space(const Scene& scene, const Basis& basis, bool wheel, SmoothMap& map,
-                    std::vector<std::string>& notes) {
+                    std::vector<contact::Note>& notes) {
   if ((wheel ? scene.wheel : scene.rail).material.rigid()) return;
   map = {basis.loads, basis.fields, load_degree, field_degree,
          of_moments(basis, half_space_responses(scene, basis, wheel))};
-  notes.push_back(
-      fmt::format("the {} is flat: a half-space, which is not meshed", wheel ? "wheel" : "rail"));
+  contact::add_note(notes, fmt::format("flat_{}", wheel ? "wheel" : "rail"),
+                    "the {} is flat: a half-space, which is not meshed", wheel ? "wheel" : "rail");
 }
 
 void check(const Scene& scene) {
   const auto refuse = [&](bool asked, const char* what, const char* allowed) {
     if (!asked) return;
     throw contact::InputError(
-        fmt::format("{}: model hybrid: it cannot handle {}; allowed: {}; do: run with --model fem",
-                    scene.file, what, allowed));
+        scene.where(), "model hybrid: it cannot handle {}; allowed: {}; do: run with --model fem",
+        what, allowed);
   };
   refuse(!scene.geometry.has_surfaces(), "undeformed_distance, which describes no bodies",
          "radii or profiles");

@@ -152,9 +152,9 @@ CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
         SmoothParts parts = unpacked(stored.parts);
         if (with_stresses && !parts.stresses) continue;
         found.parts = std::move(parts);
-        found.parts->notes.push_back(
-            fmt::format("the correction comes from the cache ({}); computing it took {:.1f} s",
-                        folder_.string(), stored.entry.seconds));
+        contact::add_note(found.parts->notes, "cache",
+                          "the correction comes from the cache ({}); computing it took {:.1f} s",
+                          folder_.string(), stored.entry.seconds);
         return found;
       }
     } catch (const contact::FileError&) {

@@ -132,20 +132,15 @@ class Choice {
     const contact::Stopwatch watch;
     try {
       outcome.result = subjects_[c].solve(forecast, forecast.levels[plan.levels[c]].across);
-    } catch (const contact::Failure& error) {
-      if (!wanted_.go_on) std::rethrow_exception(told_of(c, forecast, error));
+    } catch (contact::Failure& error) {
+      contact::FailurePlace place = subjects_[c].where;
+      place.push_back("model " + forecast.model);
+      if (error.cause() != contact::Failure::Cause::input) error.put_at(place);
+      if (!wanted_.go_on) throw;
       outcome.error = std::current_exception();
     }
     outcome.seconds = watch.seconds();
     return outcome;
-  }
-
-  /// While an exception is handled.
-  std::exception_ptr told_of(std::size_t c, const Forecast& forecast,
-                             const contact::Failure& error) const {
-    if (error.cause() == contact::Failure::Cause::input) return std::current_exception();
-    return error.retold(
-        fmt::format("{}model {}: {}", subjects_[c].name, forecast.model, error.what()));
   }
 
   /// False: it failed.
@@ -175,12 +170,12 @@ class Choice {
       only_grid = !failed_once_[c][m];
       failed_once_[c][m] = true;
     }
-    if (!failure_) failure_ = told_of(c, forecast, error);
+    if (!failure_) failure_ = std::current_exception();
     std::vector<Level> left;
     for (std::size_t k = 0; k < forecast.levels.size(); ++k)
       if (forecast.levels[k].reached || (only_grid && k != at)) left.push_back(forecast.levels[k]);
     forecast.levels = std::move(left);
-    if (forecast.levels.empty()) forecast.cannot = error.what();
+    if (forecast.levels.empty()) forecast.cannot = error.text();
   }
 
   void judge(std::size_t c, std::size_t m, std::size_t at, double seconds, ModelResult result) {
@@ -263,8 +258,8 @@ class Choice {
       if (const auto plan = cheapest(forecasts_, accuracy_))
         chosen.advice = fmt::format("`--set accuracy={:g}` allows more time: {}.", accuracy_,
                                     not_taken(forecasts_, plan->model, accuracy_));
-    const std::string note =
-        fmt::format("auto, for {}: {}{}", percent(accuracy_), all_text(*best), others);
+    const contact::Note note{
+        "choice", fmt::format("auto, for {}: {}{}", percent(accuracy_), all_text(*best), others)};
     for (std::size_t c = 0; c < subjects_.size(); ++c) {
       const bool met = attempts_[c][*best]->reached.together() <= accuracy_;
       ModelResult result = std::move(attempts_[c][*best]->result);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "contact/base/accuracy.hpp"
+#include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
 #include "contact/result/refinement.hpp"
 #include "contact/result/result.hpp"
@@ -27,7 +28,7 @@ struct Subject {
   /// Solves by one of them with `across` elements across the patch. Throws contact::Failure.
   std::function<contact::ModelResult(const Forecast& model, int across)> solve;
   double friction_coefficient = 0.0;
-  std::string name = {};  ///< begins messages about failures: "a.toml: right wheel, position 2: "
+  contact::FailurePlace where = {};  ///< of its failures: {"a.toml", "right wheel, position 2"}
 };
 
 struct Wanted {

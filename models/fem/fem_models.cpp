@@ -37,8 +37,8 @@ SmoothParts found_here(const contact::Scene& scene, const contact::Progress& pro
   const contact::Stopwatch watch;
   SmoothParts parts = library.find_smooth_parts(scene, progress);
   const std::string why = cache.keep(correction, parts, watch.seconds());
-  for (const std::string& note : {stored.note, why})
-    if (!note.empty()) parts.notes.push_back(note);
+  if (!stored.note.empty()) parts.notes.push_back({"cache", stored.note});
+  if (!why.empty()) parts.notes.push_back({"cache_full", why});
   return parts;
 }
 

@@ -47,7 +47,7 @@ class SignalsHeld {
 };
 
 void print_warning(const std::string& warning) {
-  std::cerr << warning << '\n';
+  std::cerr << "warning: " << warning << '\n';
 }
 
 }  // namespace
@@ -148,8 +148,7 @@ bool CommandFrame::ends_part() {
   const int part = request_.share.part + 1, of = request_.share.of;
   if (kept_->untouched())
     print_warning(fmt::format(
-        "warning: part {} of {} is empty: the work of this case divides into fewer parts", part,
-        of));
+        "part {} of {} is empty: the work of this case divides into fewer parts", part, of));
   if (!kept_->mark(part_done))
     throw contact::OutputError(fmt::format(
         "part {} of {} was solved but could not be stored; do: free some space or choose another "

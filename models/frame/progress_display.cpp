@@ -44,7 +44,7 @@ std::string progress_line(const contact::ProgressEvent& event, double seconds) {
   if (event.contact_elements > 0) line += fmt::format(" contact {}", event.contact_elements);
   if (event.adhesion_elements > 0) line += fmt::format(" adhesion {}", event.adhesion_elements);
   line += fmt::format(" {:.1f} s{}", seconds, time_left(event, seconds));
-  if (!event.note.empty()) line += "  " + event.note;
+  if (!event.note.empty()) line += (event.warns ? "  warning: " : "  ") + event.note;
   return line;
 }
 

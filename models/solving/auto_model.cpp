@@ -171,7 +171,7 @@ Scene on_cells(Scene scene, int across) {
 /// The estimate of the half-space's model error for one scene, by load point.
 struct Estimate {
   std::vector<std::map<std::string, double>> errors;
-  std::string source;
+  contact::Note source;
 };
 
 /// Finer grids hardly change the model error: the first estimate serves all of them.
@@ -181,12 +181,12 @@ void share_model_error(const Scene& scene, const contact::Progress& progress, Es
     halfspace::add_model_error(scene, progress, result);
     for (const contact::PointResult& point : result.points)
       first.errors.push_back(point.model_error);
-    first.source = result.model_error_source;
+    first.source = *result.note_about(contact::about_model_error);
     return;
   }
   for (std::size_t k = 0; k < result.points.size(); ++k)
     result.points[k].model_error = first.errors[k];
-  result.model_error_source = first.source;
+  result.set_note(first.source);
 }
 
 /// A scene and how a model solves it.
@@ -194,7 +194,7 @@ Subject subject_of(const Scene& asked, std::vector<Forecast> forecasts, const So
   Subject made;
   made.forecasts = std::move(forecasts);
   made.friction_coefficient = asked.friction_coefficient();
-  made.name = fmt::format("{}: {}", asked.file, asked.patch_prefix());
+  made.where = asked.where();
   const auto scene = std::make_shared<Scene>(asked);
   scene->accuracy.relative.reset();  // accuracy and estimates are the matter of the choice
   scene->options.halfspace.model_error = false;

@@ -20,7 +20,7 @@ namespace rollfem::modelling {
 struct Scenes {
   std::vector<contact::Scene> list;
   std::vector<postprocess::PlacedPair> pairs;
-  std::vector<std::string> notes;
+  std::vector<contact::Note> notes;
 };
 
 /// The wheels of a case in position on their rails, placed once and passed on; null for bodies with

@@ -114,7 +114,7 @@ void add_on_track(const contact::ContactPlace& place, contact::PointResult& poin
                              const auto& turned) {
     point.*member = turned(point.normal_force, point.lateral_force, place);
     if (place.patches > 1)
-      point.no_bar[name] = contact::no_bar::balance;
+      point.no_bar[name] = contact::NoBar::balance;
     else if (point.error_estimate.count("normal_force") +
                  point.error_estimate.count("lateral_force") >
              0)
@@ -135,16 +135,16 @@ void add_on_track(const contact::ContactPlace& place, contact::PointResult& poin
 }
 
 /// Adds to the result of a patch what the model does not know.
-void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
+void finish(const contact::Scene& scene, const std::vector<contact::Note>& notes,
             const contact::ModelRegistry& models, contact::ModelResult& result) {
   if (!scene.place) return;
   const bool joins_planes = models.at(result.name).joins_planes;
   result.place = scene.place;
   result.notes.insert(result.notes.end(), notes.begin(), notes.end());
   if (!result.points.empty() && result.points.front().patch_count > 1) {
-    result.notes.push_back(parts_note(*scene.place, result));
+    result.notes.push_back({"patches", parts_note(*scene.place, result)});
     if (const std::string note = normals_note(scene, result, joins_planes); !note.empty())
-      result.notes.push_back(note);
+      result.notes.push_back({"normals", note});
   }
   if (scene.place->patches > 1) {
     std::string text =
@@ -152,7 +152,7 @@ void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
         "vertical approach of half-spaces, including their mutual displacement; friction for this "
         "is taken from a solution with 24 elements across";
     if (!joins_planes) text += "; this model neglects the mutual displacement of the contacts";
-    result.notes.push_back(std::move(text));
+    result.notes.push_back({"shared_load", std::move(text)});
   }
   for (contact::PointResult& point : result.points) add_on_track(*scene.place, point);
 }
@@ -278,7 +278,7 @@ contact::ModelResult run_model(const std::string& name, const contact::Scene& sc
 }
 
 contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
-                                 const std::vector<std::string>& notes, const Solving& how) {
+                                 const std::vector<contact::Note>& notes, const Solving& how) {
   const auto completed = [&](contact::ModelResult result) {
     if (result.label.empty()) result.label = how.models->at(model).label;
     finish(scene, notes, *how.models, result);
@@ -289,8 +289,10 @@ contact::ModelResult solve_scene(const std::string& model, const contact::Scene&
   } catch (contact::SolveError& error) {
     if (auto* partly = dynamic_cast<contact::PartlySolved*>(&error))
       partly->result = completed(std::move(partly->result));
-    std::rethrow_exception(error.retold(
-        fmt::format("{}: {}model {}: {}", scene.file, scene.patch_prefix(), model, error.what())));
+    contact::FailurePlace place = scene.where();
+    place.push_back("model " + model);
+    error.put_at(place);
+    throw;
   }
 }
 
@@ -318,9 +320,10 @@ Part solve_on_common_surface(const contact::Case& input, const Placed& wheels, S
       contact::attempt([&] { return solve_part(on_surface, placed_wheels(on_surface), curved); });
   if (!part || part->solved.conformal) return solve_part(input, wheels, how);
   for (contact::ModelResult& result : part->solved.results)
-    result.notes.emplace_back(
-        "in planes of their own the contacts of a wheel grow into each other at this position: "
-        "halfspace.surface = \"auto\" took their common surface (\"curved\")");
+    result.notes.push_back(
+        {"surface",
+         "in planes of their own the contacts of a wheel grow into each other at this position: "
+         "halfspace.surface = \"auto\" took their common surface (\"curved\")"});
   return *std::move(part);
 }
 

@@ -48,6 +48,6 @@ contact::ModelResult run_model(const std::string& name, const contact::Scene& sc
 /// One model, not auto, on one scene or on a case with radii: one step of `solve`. Every process
 /// calls it for a parallel model, only the first for the others. Throws as `solve` does.
 contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
-                                 const std::vector<std::string>& notes, const Solving& how);
+                                 const std::vector<contact::Note>& notes, const Solving& how);
 
 }  // namespace rollfem::modelling

@@ -39,7 +39,7 @@ void add_corrected_stress(const contact::Case& input,
   scene.subsurface.clear();
   scene.output.stress_maxima = true;
   scene.follows_surface = 1.0;
-  const halfspace::SmoothParts parts = find_smooth_parts(scene, {});
+  const hybrid::SmoothParts parts = find_smooth_parts(scene, {});
   const hybrid::Stresses stresses(scene, parts);
   for (const StoredRequest& one : requests) {
     contact::SubsurfaceRequest places = one.places;

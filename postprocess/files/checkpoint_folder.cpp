@@ -172,7 +172,7 @@ void CheckpointFolder::refuse(const std::string& name) {
     return;
   }
   warn_(
-      fmt::format("warning: {} is damaged, or belongs to another load point or case; its load "
+      fmt::format("{} is damaged, or belongs to another load point or case; its load "
                   "point is computed again",
                   file_of(name).string()));
 }
@@ -225,9 +225,8 @@ void CheckpointFolder::keep(const std::string& name, const std::string& record) 
   } catch (const std::exception& problem) {
     failed_ = true;
     held_back_.clear();
-    warn_(fmt::format(
-        "warning: finished load points are no longer stored; the run continues without: {}",
-        problem.what()));
+    warn_(fmt::format("finished load points are no longer stored; the run continues without: {}",
+                      problem.what()));
   }
 }
 

@@ -5,7 +5,7 @@ from ._core import Progress, models
 from ._core import version as _version
 from .case import Case
 from .errors import FileError, InputError, SolveError
-from .model import ModelResult
+from .model import ModelResult, Note
 from .outputs import Comparison, Stress, Study
 from .point import FIELDS, QUANTITIES, Point, attributes, text_of
 from .reading import read
@@ -18,7 +18,7 @@ from .tables import Table, TableForces
 from .track import Profile, Wheelset, contact_points, wheelset
 
 __version__ = _version()
-__all__ = ["AccuracyWarning", "Case", "Comparison", "FIELDS", "FileError", "InputError", "ModelResult", "Point",
+__all__ = ["AccuracyWarning", "Case", "Comparison", "FIELDS", "FileError", "InputError", "ModelResult", "Note", "Point",
            "Profile", "Progress", "QUANTITIES", "Result", "SolveError", "Stress", "Study", "Sweep", "Table", "TableForces",
            "UnitWarning", "Wheelset", "compare", "contact_points", "models", "read", "solve", "stress",
            "stress_measures", "study", "sweep", "table", "threads", "wear", "wheelset"]

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Results of one model on one patch."""
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Sized
+from dataclasses import dataclass
 from typing import Annotated, Any
 
 import numpy as np
@@ -15,9 +16,22 @@ from .point import FIELDS, QUANTITIES, Named, Point, array_of, columns_of, known
 SHOWN = ("longitudinal_creepage", "lateral_creepage", "spin", "normal_force", "traction_coefficient", "max_pressure")
 
 
-def count(things: Sequence[Any], word: str) -> str:
+def count(things: Sized, word: str, ending: str = "s") -> str:
     """"3 load points"."""
-    return f"{len(things)} {word}{'' if len(things) == 1 else 's'}"
+    return f"{len(things)} {word}{'' if len(things) == 1 else ending}"
+
+
+@documented
+@dataclass(frozen=True)
+class Note:
+    """What a reader of a result must know; str(note) is its text."""
+
+    severity: Annotated[str, "`remark` or `warning`"]
+    about: Annotated[str, "the subject; notes of one model about the same differ in their numbers only"]
+    text: Annotated[str, "one sentence"]
+
+    def __str__(self) -> str:
+        return self.text
 
 
 @documented
@@ -43,10 +57,9 @@ class ModelResult(Gridded, Named):
     seconds: Annotated[dict[str, float], "by stage, s"]
     unknowns: Annotated[int, "size of the system of equations"]
     contact_elements: Annotated[int, "elements in contact"]
-    notes: Annotated[list[str], "what a reader must know"]
+    notes: Annotated[list[Note], "what a reader must know, sources of errors among it"]
     choice: Annotated[str, "why `auto` chose it"]
     shortfall: Annotated[str, "what was requested and not reached"]
-    model_error_source: Annotated[str, "how model errors were estimated"]
 
     _found: dict[tuple[Any, ...], Point] | None = None  # points by key, created on first use
 
@@ -54,9 +67,11 @@ class ModelResult(Gridded, Named):
         """`by_number`: as of Point."""
         about, grid = node.attributes, node.parts["grid"]
         self.key, self.name, self.place = key, about["model"], node.parts["place"].attributes if "place" in node.parts else None
-        self.seconds, self.notes = node.parts["seconds"].attributes, node.entries["notes"]
+        notes = node.parts["notes"].entries
+        self.seconds = node.parts["seconds"].attributes
+        self.notes = [Note(*row) for row in zip(*(notes[column] for column in ("severity", "about", "text")))]
         self.unknowns, self.contact_elements = about["unknowns"], about["contact_elements"]
-        for text in ("label", "choice", "shortfall", "model_error_source"):
+        for text in ("label", "choice", "shortfall"):
             setattr(self, text, about.get(text, ""))
         self.dx, self.dy = grid.attributes["dx"], grid.attributes["dy"]
         for column in ("x", "y", "y_wheel", "y_rail", "width"):

@@ -16,7 +16,7 @@ from .files import folder_of, read_rows, results_are_sound
 from .node import Node, hdf5
 from .result import Result
 
-FORMAT_VERSION = 2
+FORMAT_VERSION = 3
 _WANTED = "do: name a result folder of rollfem run, or its results.h5"
 _AGAIN = "do: run the case again"
 #: What rollfem writes, by a characteristic file of its folder.

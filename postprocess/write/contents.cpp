@@ -96,6 +96,9 @@ Value attribute(double number) {
 Value attribute(const std::string& text) {
   return text;
 }
+Value attribute(contact::NoBar reason) {
+  return std::string(word_of(reason));
+}
 
 template <class Whole>
 void fill(Tree& tree, const Whole& whole);
@@ -158,9 +161,11 @@ Tree list_of(const About& what, const std::vector<Each>& all) {
   list.listed = Each::listed;
   if constexpr (Each::listed == Listed::as_table) {
     for_members<Each>([&](const auto& member) {
-      std::vector<std::decay_t<decltype(std::invoke(member.part, all.front()))>> column;
-      for (const Each& each : all) column.push_back(std::invoke(member.part, each));
-      put(list, about(member), std::move(column));
+      if constexpr (std::decay_t<decltype(member)>::kept != Kept::within) {
+        std::vector<std::decay_t<decltype(std::invoke(member.part, all.front()))>> column;
+        for (const Each& each : all) column.push_back(std::invoke(member.part, each));
+        put(list, about(member), std::move(column));
+      }
     });
   } else {
     for (const Each& each : all) {

@@ -64,8 +64,7 @@ Columns<Line> first_columns(const RunRecord& run) {
 /// Whether a quantity has a column for its bar: not counts and times, but given values, which may
 /// be results in other problems.
 bool may_have_bar(const Quantity& quantity) {
-  const std::string word = quantity.no_bar;
-  return word.empty() || word == contact::no_bar::given;
+  return quantity.no_bar.value_or(contact::NoBar::given) == contact::NoBar::given;
 }
 
 void add_value(Columns<Line>& columns, const Quantity& quantity) {
@@ -78,7 +77,7 @@ std::string bar_cell(const PointResult& point, const std::string& name) {
   if (const auto bar = point.error_estimate.find(name); bar != point.error_estimate.end())
     return csv_cell(bar->second);
   const auto word = point.no_bar.find(name);
-  return word == point.no_bar.end() ? "" : word->second;
+  return word == point.no_bar.end() ? "" : word_of(word->second);
 }
 
 void add_bar(Columns<Line>& columns, const Quantity& quantity) {
@@ -232,7 +231,7 @@ std::string patches_csv(const RunRecord& run) {
   Columns<Region> columns;
   columns.add("region [-]", &Region::first);
   columns.add_members<contact::PatchPart>(&Region::second);
-  columns.add("error_estimate", [](const Region&) { return contact::no_bar::one_grid; });
+  columns.add("error_estimate", [](const Region&) { return word_of(contact::NoBar::one_grid); });
   return table_of_parts(run, columns, [](const Line& line) {
     std::vector<Region> regions;
     if (line.point().patch_count > 1)

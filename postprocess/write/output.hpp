@@ -77,7 +77,7 @@ std::string summary_json(const RunRecord& run);
 
 /// Incremented when names or meanings in results.h5 change; readers of an earlier version must
 /// refuse the file.
-inline constexpr int hdf5_format_version = 2;
+inline constexpr int hdf5_format_version = 3;
 /// Incremented when something is added; readers of the version may ignore it.
 inline constexpr int hdf5_format_minor = 3;
 

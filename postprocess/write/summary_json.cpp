@@ -19,7 +19,7 @@ ordered_json point_json(const contact::ModelResult& model, std::size_t number) {
       ordered_json& entry = json["patches"].emplace_back(ordered_json::object());
       contact::for_members(part, [&](const auto& each, double value) { entry[each.name] = value; });
       // Regions are distinguished only on the finest grid.
-      entry["no_bar"] = contact::no_bar::one_grid;
+      entry["no_bar"] = word_of(contact::NoBar::one_grid);
     }
   return json;
 }
@@ -38,7 +38,7 @@ ordered_json model_json(const contact::ModelResult& model, const contact::Case& 
 
 std::string summary_json(const RunRecord& run) {
   ordered_json json;
-  json["format"] = 2;
+  json["format"] = 3;
   json["title"] = run.input.title;
   json["case_file"] = run.input.file;
   json["case_checksum"] = checksum_of_case(run.input);

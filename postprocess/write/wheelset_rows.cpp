@@ -29,14 +29,16 @@ std::string column_of(const WheelAt& wheel, int width, int digits, const Value& 
   return column(wheel.main ? std::optional<double>(value(wheel)) : std::nullopt, width, digits);
 }
 
-std::string rigid_text(const std::optional<RigidWheelset>& rigid) {
+/// Radius differences and conicities of a position.
+std::string radii_text(const std::optional<RigidWheelset>& rigid, std::optional<double> loaded) {
   const auto of = [&](const std::optional<double> RigidWheelset::*member) {
     return rigid ? (*rigid).*member : std::nullopt;
   };
   std::optional<double> difference, length = of(&RigidWheelset::wave_length);
   if (rigid) difference = rigid->radius_difference();
   if (length) length = 1e-3 * *length;
-  return column(difference, 10, 4) + column(of(&RigidWheelset::conicity_harmonic), 11, 4) +
+  return column(difference, 10, 4) + column(loaded, 10, 4) +
+         column(of(&RigidWheelset::conicity_harmonic), 11, 4) +
          column(of(&RigidWheelset::conicity_wave), 9, 4) + column(length, 8, 1);
 }
 
@@ -170,10 +172,8 @@ std::string wheelset_table(const RunRecord& run, const std::string& model) {
     const int position = static_cast<int>(p) + 1;
     const WheelAt left = wheel_at(run, model, true, position, 0);
     const WheelAt right = wheel_at(run, model, false, position, 0);
-    const std::string rigid = rigid_text(run.wheelset[p]);
-    text += fmt::format("{:>4}{:>10.6g}{}{}{}", position, run.input.wheelset.lateral_shift[p],
-                        rigid.substr(0, 10), column(loaded_radius_difference(left, right), 10, 4),
-                        rigid.substr(10));
+    text += fmt::format("{:>4}{:>10.6g}", position, run.input.wheelset.lateral_shift[p]) +
+            radii_text(run.wheelset[p], loaded_radius_difference(left, right));
     const auto both = [&](int first, int second, int digits, const auto& value) {
       text += column_of(left, first, digits, value) + column_of(right, second, digits, value);
     };

@@ -116,8 +116,8 @@ TableWheel wheel_of(const track::PressedState& state) {
 }
 
 /// For failures.
-std::string shifted_by(double shift) {
-  return fmt::format("at a lateral shift of {:g} mm: ", shift);
+contact::FailurePlace shifted_by(double shift) {
+  return {fmt::format("at a lateral shift of {:g} mm", shift)};
 }
 
 /// Factors of scaled creepages and forces.

@@ -36,7 +36,7 @@ def test_is_the_default_and_takes_a_half_space_where_that_does(rollfem):
         assert (model["name"], model["label"], model["chosen_by"]) == ("halfspace", "half-space", "auto")
         assert model["choice"].startswith("half-space, ")
         says(model["choice"], "model 0.")
-        says(model["notes"][0], model["choice"])
+        says(next(note["text"] for note in model["notes"] if note["about"] == "choice"), model["choice"])
         assert "model_error" in model["points"][0] and worst(model["points"][0], 0.55) <= accuracy
         assert model["contact_elements"] > elements
         elements = model["contact_elements"]

@@ -58,7 +58,7 @@ def test_a_load_point_without_a_state_is_left_empty_beside_the_others(rollfem):
     assert [point["converged"] for point in points] == [True, False, True]
     assert points[1]["longitudinal_creepage"] == 0.014
     assert not points[1].keys() & {"normal_force", "max_pressure", "traction_coefficient", "approach"}
-    assert model["notes"][-1].startswith("warning: 1 of 3 load points are left")
+    assert ("warning", "unsolved") in [(note["severity"], note["about"]) for note in model["notes"]]
     rows = rollfem.rows("out/creep_curve.csv")
     assert len(rows) == 3 and rows[1]["traction_coefficient"] == ""
     slides = 0.3 + 2.7 * 2 ** (-2000.0 / 100.0)

@@ -38,7 +38,7 @@ def files(rollfem):
 
 
 def notes(model, part):
-    return any(part in note for note in model["notes"])
+    return any(part in note["text"] for note in model["notes"])
 
 
 def same_point(one, other, tolerance):

@@ -57,8 +57,7 @@ def unsound(folder):
         if b"given_pressure" in file["case/text"][()]:
             asked = None  # the pressure is the load
         for name, model in file["models"].items():
-            notes = " ".join(note.decode() for note in model["notes"][()])
-            flat = "curved contact" not in notes and "load.vertical_force" not in keys
+            flat = b"curved" not in model["notes/about"][()] and "load.vertical_force" not in keys
             cell = model["grid"].attrs["dx"] * model["grid"].attrs["dy"]
             for number, point in model["points"].items():
                 wrong = _point(point, cell, asked, flat)

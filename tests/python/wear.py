@@ -154,7 +154,7 @@ class Depths(unittest.TestCase):
                 result = rollfem.solve(case, model="halfspace")
                 area = worn.area_of(result.models, wear.ConstantCoefficient(1.0))
                 self.assertAlmostEqual(area.sum() / result.models[0].points[0].frictional_work, 1.0, 6)
-                self.assertTrue(any("common surface" in note for note in result.models[0].notes))
+                self.assertTrue(any(note.about == "surface" for note in result.models[0].notes))
 
 
 def bump(profile, middle, half, depth):

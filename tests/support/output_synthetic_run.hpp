@@ -151,12 +151,12 @@ inline postprocess::RunRecord synthetic_run() {
   kept.traction.x = kept.traction.y = fields.gap = Field();
   fields = kept;
   hertz.points[0].adhesion_area = 0.0;
-  hertz.points[0].no_bar = {{"max_pressure", "exact"}};
+  hertz.points[0].no_bar = {{"max_pressure", contact::NoBar::exact}};
   hertz.points[0].model_error = {{"max_pressure", 2.5}};
-  hertz.model_error_source = "a finer grid";
   hertz.seconds = {{"total", 0.001}};
   hertz.unknowns = 0;
-  hertz.notes = {"Exact for smooth, frictionless, elliptic contact."};
+  hertz.notes = {{"patch", "Exact for smooth, frictionless, elliptic contact."},
+                 {contact::about_model_error, "a finer grid"}};
 
   ModelResult halfspace = synthetic_model("halfspace", {}, 46, 131, creepages);
   SyntheticPatch measured;
@@ -170,8 +170,9 @@ inline postprocess::RunRecord synthetic_run() {
   for (std::size_t k = 0; k < fem.points.size(); ++k)
     fem.points[k].bodies = {synthetic_values(static_cast<int>(k)),
                             synthetic_values(10 + static_cast<int>(k))};
-  fem.notes = {"Segments reach 45 mm from the patch; symmetry plane y = 0 used.",
-               "Far boundaries are clamped: the approach is the least certain number."};
+  fem.notes = {
+      {"mesh", "Segments reach 45 mm from the patch; symmetry plane y = 0 used."},
+      {"far_boundary", "Far boundaries are clamped: the approach is the least certain number."}};
   for (ModelResult* model : {&halfspace, &fem})
     for (PointResult& point : model->points)
       point.error_estimate = {{"max_pressure", 1.25},

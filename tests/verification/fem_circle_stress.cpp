@@ -65,7 +65,7 @@ TEST(FemCircle, LargestTensionIsBesideTheEdgeAndHasNoBar) {
     const double expected = (1.0 - 2.0 * 0.3) / 3.0 * p0;
     EXPECT_NEAR(maximum.value / expected, 0.85, 0.07) << maximum.body;
     EXPECT_NEAR(std::hypot(maximum.place[0], maximum.place[1]) / a, 1.0, 0.125) << maximum.body;
-    EXPECT_EQ(point.no_bar.at("max_principal_1_" + maximum.body), "near surface");
+    EXPECT_EQ(point.no_bar.at("max_principal_1_" + maximum.body), contact::NoBar::near_surface);
     EXPECT_EQ(point.no_bar.count("max_tresca_" + maximum.body), 0u);
     record(maximum.body + "_tension_over_hertz", maximum.value / expected);
   }

@@ -61,7 +61,7 @@ TEST(GivenPressure, CarriesTheForceOnAnyGrid) {
     EXPECT_NEAR(point.max_pressure / largest, 1.0, std::pow(across, -1.5)) << across;
     const auto hertz = halfspace::hertz_of_scene(contact::Scene(input));
     EXPECT_NEAR(point.approach / hertz.approach, 1.0, 0.5 * std::pow(across, -1.5)) << across;
-    EXPECT_EQ(point.no_bar.at("normal_force"), contact::no_bar::given) << across;
+    EXPECT_EQ(point.no_bar.at("normal_force"), contact::NoBar::given) << across;
     if (across > 8) {
       EXPECT_NEAR(point.max_pressure, largest, point.error_estimate.at("max_pressure")) << across;
     }

@@ -83,7 +83,7 @@ TEST(LineContact, ModelCarterIsItsClosedForm) {
     const theories::CarterSolution exact(carter_contact(modulus), point.creepage.longitudinal);
     EXPECT_NEAR(point.longitudinal_force, exact.force(), 1e-6 * friction * 178.89625);
     EXPECT_NEAR(point.adhesion_area, 2.0 * exact.stick_half_width(), 1e-6);
-    EXPECT_EQ(point.no_bar.at("longitudinal_force"), contact::no_bar::exact);
+    EXPECT_EQ(point.no_bar.at("longitudinal_force"), contact::NoBar::exact);
   }
 }
 
@@ -109,9 +109,9 @@ TEST(LineContact, ForcesAreThoseOfTheWidthAndTheReferenceMovesTheApproachAlone) 
   EXPECT_NEAR(b.points[0].max_pressure / a.points[0].max_pressure, 1.0, 1e-6);
   const double moved = 2.0 * 178.89625 / (M_PI * modulus) * std::log(4.0);
   EXPECT_NEAR(b.points[0].approach - a.points[0].approach, moved, 1e-6 * moved);
-  EXPECT_EQ(a.points[0].no_bar.at("approach"), contact::no_bar::relative);
-  EXPECT_EQ(a.points[0].no_bar.at("elastic_energy"), contact::no_bar::relative);
-  EXPECT_EQ(a.points[0].no_bar.at("contact_width"), contact::no_bar::given);
+  EXPECT_EQ(a.points[0].no_bar.at("approach"), contact::NoBar::relative);
+  EXPECT_EQ(a.points[0].no_bar.at("elastic_energy"), contact::NoBar::relative);
+  EXPECT_EQ(a.points[0].no_bar.at("contact_width"), contact::NoBar::given);
 }
 
 /// Steel rollers 20 mm wide that are pushed by half of what friction bears.

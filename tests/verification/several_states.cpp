@@ -235,15 +235,19 @@ TEST(SeveralStates, ResultsSayThatThereAreSeveral) {
   const auto law = std::make_shared<contact::FallingFriction>(
       contact::FallShape::linear, 0.1,
       std::array<contact::FallingFriction::Part, 2>{{{0.2, 1.0}, {0.0, 1.0}}});
-  EXPECT_EQ(contact::steep_friction_note(level, law), "");
+  std::vector<contact::Note> notes;
+  contact::warn_of_steep_friction(level, law, notes);
+  EXPECT_TRUE(notes.empty());
   level.several = 2;
-  const std::string falls = contact::steep_friction_note(level, law);
-  EXPECT_NE(falls.find("several states at 2 of 3 load points"), std::string::npos);
-  EXPECT_NE(falls.find("friction.memory_distance"), std::string::npos);
-  EXPECT_EQ(falls.rfind("warning: ", 0), 0U) << falls;
+  contact::warn_of_steep_friction(level, law, notes);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].severity, contact::Note::warning);
+  EXPECT_NE(notes[0].text.find("several states at 2 of 3 load points"), std::string::npos);
+  EXPECT_NE(notes[0].text.find("friction.memory_distance"), std::string::npos);
   const auto softens = std::make_shared<contact::CoulombFriction>(0.3);
   softens->plasticity = contact::Plasticity{100.0, -1e3};
-  const std::string layer = contact::steep_friction_note(level, softens);
+  contact::warn_of_steep_friction(level, softens, notes);
+  const std::string& layer = notes.back().text;
   EXPECT_NE(layer.find("layer.hardening"), std::string::npos) << layer;
   EXPECT_EQ(layer.find("memory_distance"), std::string::npos) << layer;
 }

@@ -65,7 +65,7 @@ TEST(TwinDisc, PressureAtASharpEndGrowsWithoutLimit) {
   // As over the edge of a punch, with the root of the distance: by 1.41 on cells half as wide.
   const PressedDisc coarse = pressed(sharp_disc(0.0625)), fine = pressed(sharp_disc(0.03125));
   EXPECT_NEAR(fine.pressure.front() / coarse.pressure.front(), std::sqrt(2.0), 0.07);
-  EXPECT_EQ(fine.point().no_bar.at("max_pressure"), contact::no_bar::no_limit);
+  EXPECT_EQ(fine.point().no_bar.at("max_pressure"), contact::NoBar::no_limit);
   EXPECT_EQ(fine.point().error_estimate.count("max_pressure"), 0u);
   // What is no edge converges.
   EXPECT_NEAR(fine.point().approach / coarse.point().approach, 1.0, 2e-3);
@@ -74,10 +74,9 @@ TEST(TwinDisc, PressureAtASharpEndGrowsWithoutLimit) {
 
 TEST(TwinDisc, EndsAreWarnedOfWhereTheyCarry) {
   const auto warned = [](const Case& input) {
-    const std::vector<std::string> notes = pressed(input).result.notes;
-    return std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-      return note.find("bodies end inside the patch") != std::string::npos;
-    });
+    const contact::ModelResult result = pressed(input).result;
+    const contact::Note* note = result.note_about("free_ends");
+    return note != nullptr && note->severity == contact::Note::warning;
   };
   EXPECT_TRUE(warned(sharp_disc(0.25)));
   // A crown keeps the patch away from the ends.

@@ -34,23 +34,26 @@ bool asked_for(const Case& input, bool left) {
 }
 
 /// A failure in a long sweep names its position.
-std::string where(const Case& input, int position) {
-  return input.wheelset.positions() > 1 ? fmt::format("position {}: ", position) : "";
+contact::FailurePlace where(const Case& input, int position) {
+  return {file_of(input),
+          input.wheelset.positions() > 1 ? fmt::format("position {}", position) : ""};
 }
 
-std::vector<std::string> notes_of(const Case& input) {
-  std::vector<std::string> notes;
+std::vector<contact::Note> notes_of(const Case& input) {
+  std::vector<contact::Note> notes;
   const std::string by_the_balance =
       "found by the half-space with 24 elements across; other models and grids retain a small "
       "force at these creepages";
   if (input.load.vertical_force)
-    notes.emplace_back("the vertical force of each wheel includes friction");
+    notes.push_back({"vertical_force", "the vertical force of each wheel includes friction"});
   if (input.wheelset.free_rolling == FreeRolling::torque)
-    notes.push_back("the rotation is that at which the wheelset has no torque about its axle, " +
-                    by_the_balance);
+    notes.push_back({"free_rolling",
+                     "the rotation is that at which the wheelset has no torque about its axle, " +
+                         by_the_balance});
   if (input.wheelset.free_rolling == FreeRolling::force)
-    notes.push_back("each wheel turns so that it transmits no longitudinal force, " +
-                    by_the_balance);
+    notes.push_back(
+        {"free_rolling",
+         "each wheel turns so that it transmits no longitudinal force, " + by_the_balance});
   return notes;
 }
 
@@ -98,9 +101,8 @@ std::vector<contact::Scene> kept_or_balanced(const Case& input, int position,
     return scenes;
   constexpr auto worth_keeping = std::chrono::milliseconds(50);
   const auto begin = std::chrono::steady_clock::now();
-  const std::string file = file_of(input) + ": ";
-  scenes = contact::at_place(file + where(input, position),
-                             [&] { return balanced_position(input, here); });
+  scenes =
+      contact::at_place(where(input, position), [&] { return balanced_position(input, here); });
   if (kept != nullptr && std::chrono::steady_clock::now() - begin > worth_keeping) {
     Record record;
     exchange(record, here, scenes);
@@ -113,7 +115,7 @@ std::vector<contact::Scene> kept_or_balanced(const Case& input, int position,
 struct Balanced {
   std::vector<PlacedScene> here;
   std::vector<contact::Scene> patches;
-  std::vector<std::string> notes;
+  std::vector<contact::Note> notes;
 };
 
 }  // namespace
@@ -198,9 +200,10 @@ std::vector<std::string> untouched_wheels(const Case& input, const PlacedWheels&
         continue;
       WheelsetPose pose = find_pose(input, placed.search, position);
       touching_gap(input, placed.search, pose, position, left);
-      texts.push_back(fmt::format("{}the {} wheel is {:.4g} mm above its rail and carries no load",
-                                  where(input, position), contact::side_word(left),
-                                  pose.height - input.wheelset.height[k]));
+      texts.push_back(
+          fmt::format("{}the {} wheel is {:.4g} mm above its rail and carries no load",
+                      input.wheelset.positions() > 1 ? fmt::format("position {}: ", position) : "",
+                      contact::side_word(left), pose.height - input.wheelset.height[k]));
     }
   return texts;
 }
@@ -214,10 +217,11 @@ constexpr double sum_tolerance = 1e-5;
 template <class Error = contact::SolveError>
 [[noreturn]] void refuse(const contact::Case& input, const ModelResult& result,
                          const std::string& what) {
-  throw Error(fmt::format(
-      "{}: {}: model {}: {}: this is not a valid result; do: please report the case as a defect of "
+  throw Error(
+      {file_of(input)},
+      "{}: model {}: {}: this is not a valid result; do: please report the case as a defect of "
       "the program",
-      file_of(input), result.place->label(), result.name, what));
+      result.place->label(), result.name, what);
 }
 
 /// From the first to the last element with pressure, y of the grid in mm.

@@ -30,8 +30,8 @@ struct BalancedCase {
   /// One for each patch that carries load, in the order of positions, left before right, the most
   /// loaded patch first.
   std::vector<contact::Scene> scenes;
-  std::vector<PlacedScene> placed;  ///< as placed, for drawings
-  std::vector<std::string> notes;   ///< notes for the reader
+  std::vector<PlacedScene> placed;   ///< as placed, for drawings
+  std::vector<contact::Note> notes;  ///< notes for the reader
 };
 
 /// Throws as make_scenes.
@@ -84,7 +84,7 @@ BentShares shares_with_bending(const contact::Case& input,
                                const std::vector<contact::Scene>& scenes);
 
 /// One note for each wheel whose shares bending changes by half a percent of the load or more.
-std::vector<std::string> bending_notes(const contact::Case& input,
-                                       const std::vector<contact::Scene>& scenes);
+std::vector<contact::Note> bending_notes(const contact::Case& input,
+                                         const std::vector<contact::Scene>& scenes);
 
 }  // namespace rollfem::track

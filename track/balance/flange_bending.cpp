@@ -66,8 +66,8 @@ BentShares shares_with_bending(const Case& input, const std::vector<Scene>& scen
   return shares;
 }
 
-std::vector<std::string> bending_notes(const Case& input, const std::vector<Scene>& scenes) {
-  std::vector<std::string> notes;
+std::vector<contact::Note> bending_notes(const Case& input, const std::vector<Scene>& scenes) {
+  std::vector<contact::Note> notes;
   if (!input.load.vertical_force) return notes;
   for (const bool left : {true, false}) {
     std::vector<Scene> wheel;
@@ -83,14 +83,15 @@ std::vector<std::string> bending_notes(const Case& input, const std::vector<Scen
                              1e-3 * shares.stiff[i]);
     }
     if (largest > worth_noting * *input.load.vertical_force)
-      notes.push_back(fmt::format(
-          "{} wheel{}: a flange 30 mm thick would bend by some {:.0f} um under this load, which no "
-          "model includes: its contacts would carry {} kN",
-          contact::side_word(left),
-          input.wheelset.positions() > 1
-              ? fmt::format(" at position {}", wheel.front().place->position)
-              : "",
-          1e3 * shares.bending, changes));
+      contact::add_note(notes, fmt::format("flange_bending_{}", contact::side_word(left)),
+                        "{} wheel{}: a flange 30 mm thick would bend by some {:.0f} um under this "
+                        "load, which no "
+                        "model includes: its contacts would carry {} kN",
+                        contact::side_word(left),
+                        input.wheelset.positions() > 1
+                            ? fmt::format(" at position {}", wheel.front().place->position)
+                            : "",
+                        1e3 * shares.bending, changes);
   }
   return notes;
 }

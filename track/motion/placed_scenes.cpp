@@ -37,12 +37,13 @@ contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) 
   const contact::Load& load = input.load;
   if (input.sinks()) return {{}, approach_of(input, contact)};
   if (contact.place.patches > 1 && !load.vertical_force)
-    throw contact::InputError(fmt::format(
-        "{}: load.normal_force: the {} wheel at position {} touches in {} patches, among which a "
+    throw contact::InputError(
+        {file_of(input)},
+        "load.normal_force: the {} wheel at position {} touches in {} patches, among which a "
         "normal force cannot be divided; allowed: load.vertical_force, carried by all of them "
         "together; do: write `vertical_force = {:.6g}` under [load]",
-        file_of(input), contact.place.side(), contact.place.position, contact.place.patches,
-        load.normal_force.value_or(0.0)));
+        contact.place.side(), contact.place.position, contact.place.patches,
+        load.normal_force.value_or(0.0));
   if (contact.place.patches > 1) return {contact.normal_force, {}};
   if (load.vertical_force) return {load.vertical_force, {}, halfspace::upwards(contact.place)};
   return {load.normal_force, {}};
@@ -159,7 +160,7 @@ SearchScene search_scene_of(const Case& input) {
   };
   pair.wheel = profile(pair.wheel_sections, input.wheelset.wheel_angle, true);
   pair.rail = profile(pair.rail_sections, input.wheelset.track_position, false);
-  return contact::at_place(file_of(input) + ": ",
+  return contact::at_place({file_of(input)},
                            [&] { return make_search_scene(input, std::move(pair)); });
 }
 
@@ -203,7 +204,7 @@ std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene
     std::vector<PlacedScene> left, right;
     for (WheelRailContact& contact : find_contacts(input, scene, static_cast<int>(k) + 1, options))
       if (contact.place.patch > 0 || (contact.reserve && options.with_reserve))
-        (contact.place.left ? left : right).push_back(contact::at_place(file_of(input) + ": ", [&] {
+        (contact.place.left ? left : right).push_back(contact::at_place({file_of(input)}, [&] {
           return make_scene(input, std::move(contact));
         }));
     for (std::vector<PlacedScene>* wheel : {&left, &right}) {

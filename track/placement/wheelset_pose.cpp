@@ -21,12 +21,13 @@ std::string file_of(const Case& input) {
 
 namespace {
 
-std::string where(const Case& input, int position, bool left) {
-  return fmt::format(
-      "{}: {} = {:.6g} (position {}), {} wheel", file_of(input),
-      input.wheelset.on_rail ? "placement.lateral_position" : "wheelset.lateral_shift",
-      input.wheelset.lateral_shift.at(static_cast<std::size_t>(position - 1)), position,
-      contact::side_word(left));
+contact::FailurePlace where(const Case& input, int position, bool left) {
+  return {
+      file_of(input),
+      fmt::format("{} = {:.6g} (position {}), {} wheel",
+                  input.wheelset.on_rail ? "placement.lateral_position" : "wheelset.lateral_shift",
+                  input.wheelset.lateral_shift.at(static_cast<std::size_t>(position - 1)), position,
+                  contact::side_word(left))};
 }
 
 /// Keys that a user may have set wrongly, for messages.
@@ -63,9 +64,10 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
   const double height = first.radius - input.wheel.rolling_radius;
   if (has_flange && first.profile_y < scene.tread_y && height > knots.z[tip] - tip_height)
     throw contact::SolveError(
-        fmt::format("{}: the wheel stands on the tip of its flange (wheel y = {:.2f} mm) and has "
-                    "left the rail; do: check {}",
-                    where(input, position, left), first.profile_y, place_keys(input)));
+        where(input, position, left),
+        "the wheel stands on the tip of its flange (wheel y = {:.2f} mm) and has "
+        "left the rail; do: check {}",
+        first.profile_y, place_keys(input));
 }
 
 }  // namespace
@@ -95,8 +97,8 @@ VerticalGap make_gap(const Case& input, const SearchScene& scene, const Wheelset
     return {scene.wheel, input.wheel.rolling_radius, axle, scene.rail(left).head,
             roller_axle(scene.rail(left).place, input.rail.rolling_radius).point[2]};
   } catch (const contact::SolveError& error) {
-    throw contact::SolveError(fmt::format("{}: {}; do: check {}", where(input, position, left),
-                                          error.what(), place_keys(input)));
+    throw contact::SolveError(where(input, position, left), "{}; do: check {}", error.what(),
+                              place_keys(input));
   }
 }
 
@@ -114,21 +116,21 @@ double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose p
   const auto roll = contact::root_from(difference, 0.0, upright, -1.2 * upright / slope,
                                        largest_roll, 1e-13, "roll of the wheelset");
   if (roll) return *roll;
-  throw contact::SolveError(fmt::format(
-      "{}: no roll of the wheelset below {} rad lets both wheels touch their rails; do: check "
+  throw contact::SolveError(
+      where(input, position, true),
+      "no roll of the wheelset below {} rad lets both wheels touch their rails; do: check "
       "gauge, flange_back_distance and lateral_shift, or give wheelset.roll",
-      where(input, position, true), largest_roll));
+      largest_roll);
 }
 
 }  // namespace
 
 void fail_where_head_ends(const Case& input, int position, bool left) {
-  throw contact::SolveError(fmt::format(
-      "{}: under its load the patch reaches the place along the track where a head of the rail "
+  throw contact::SolveError(
+      where(input, position, left),
+      "under its load the patch reaches the place along the track where a head of the rail "
       "begins or ends; allowed: patches on heads that go on; do: let the sections of the head "
-      "begin "
-      "earlier or end later, or change track_position",
-      where(input, position, left)));
+      "begin earlier or end later, or change track_position");
 }
 
 [[noreturn]] void fail_at_end(const Case& input, const VerticalGap& gap, bool inner, int position,
@@ -136,15 +138,16 @@ void fail_where_head_ends(const Case& input, int position, bool left) {
   const contact::HeightCurve& wheel = gap.wheel().curve();
   const bool wheel_ends =
       inner ? wheel.first() > gap.rail().first() : wheel.last() < gap.rail().last();
-  throw contact::InputError(fmt::format(
-      "{}: {} the {} end of the {} profile, {:.2f} mm from the {}; allowed: "
-      "profiles that extend beyond the contact on both sides, as a height over y; do: use a longer "
-      "{} profile, or check {}, or put `free_ends = true` under [{}_profile] if the body ends "
-      "there",
-      where(input, position, left), what, inner ? "flange-side" : "field-side",
-      wheel_ends ? "wheel" : "rail", inner ? gap.first() : gap.last(),
+  throw contact::InputError(
+      where(input, position, left),
+      "{} the {} end of the {} profile, {:.2f} mm from the {}; allowed: "
+      "profiles that extend beyond the contact on both sides, as a height over y; do: use a "
+      "longer {} profile, or check {}, or put `free_ends = true` under [{}_profile] if the body "
+      "ends there",
+      what, inner ? "flange-side" : "field-side", wheel_ends ? "wheel" : "rail",
+      inner ? gap.first() : gap.last(),
       input.wheelset.on_rail ? "origin of the rail's profile" : "middle of the track",
-      wheel_ends ? "wheel" : "rail", place_keys(input), wheel_ends ? "wheel" : "rail"));
+      wheel_ends ? "wheel" : "rail", place_keys(input), wheel_ends ? "wheel" : "rail");
 }
 
 VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPose& pose,
@@ -167,8 +170,8 @@ VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPo
     if (std::abs(left_over) < touching) break;
     if (step == most_lowerings)
       throw contact::SolveError(
-          fmt::format("{}: the height at which it touches its roller is not found in {} steps",
-                      where(input, position, left), most_lowerings));
+          where(input, position, left),
+          "the height at which it touches its roller is not found in {} steps", most_lowerings);
   }
   return gap;
 }

@@ -495,9 +495,9 @@ std::vector<WheelRailContact> find_contacts(const Case& input, const SearchScene
     SearchOptions here = options;
     if (!input.wheelset.height.empty() && !options.height)
       here.height = input.wheelset.height.at(static_cast<std::size_t>(position - 1));
-    const std::string file = file_of(input) + ": ";
-    for (WheelRailContact& contact : contact::at_place(
-             file, [&] { return find_contacts(input, scene, pose, position, left, here); }))
+    for (WheelRailContact& contact : contact::at_place({file_of(input)}, [&] {
+           return find_contacts(input, scene, pose, position, left, here);
+         }))
       all.push_back(std::move(contact));
   }
   return all;

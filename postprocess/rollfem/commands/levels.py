@@ -201,7 +201,8 @@ class Study:
             place.exact = {key: point.scalars[name] for key, point, name in _numbers(_core.exact_of(scene), _axes(place))}
             self.record.places.append(place)
         if case.has_profiles:
-            self.record.notes = [*self.notes, "the balance of the wheelset is found once: all levels of a patch have the same "
+            self.record.notes = [*(note.text for note in self.notes),
+                                 "the balance of the wheelset is found once: all levels of a patch have the same "
                                  "normal force and creepages, so that only the discretisation differs"]
         wishes.refer(self.record)
 

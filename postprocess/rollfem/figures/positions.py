@@ -6,9 +6,8 @@ position)."""
 import itertools
 import math
 import os
-import re
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -90,41 +89,41 @@ PANELS = (("contact point on the rail", "$y$ of its profile [mm]", 2.0, _at("y_r
           (FORCES[1], "[kN]", 0.2, _at("lateral_force_track", 1e-3)))
 
 
-WAYS = (("track_position", 1.0), ("wheel_angle", 1.0))  # members of a place where bodies change along the way
+class Abscissa(NamedTuple):
+    """What a sweep of positions is drawn over: the values by position, their name and unit, whose they are, and whether
+    bodies change along it."""
+    at: dict[int, float]
+    what: str
+    unit: str = ""
+    of: str = ""
+    is_way: bool = False
 
-
-def moves_along(result):
-    """Whether the positions of a sweep follow the track or the wheel's angle."""
-    return along(result)[1].startswith(("position along", "angle of"))
-
-
-def _placed(result):
-    """What the positions are of."""
-    return "wheel" if re.search(r"^\s*\[\s*placement", result.case_text, re.MULTILINE) else "wheelset"
+    @property
+    def label(self):
+        return self.what + f" of the {self.of}" * bool(self.of) + f" [{self.unit}]" * bool(self.unit)
 
 
 def along(result):
-    """Abscissa of a sweep of positions: (values by position, axis label). The first whose values all differ: position
-    along the track, angle of the wheel, lateral shift, yaw; otherwise the position numbers."""
-    at = {m.place["position"]: m.place for m in result.models if m.place}
-    of = _placed(result)
-    for name, factor, label in ((*WAYS[0], "position along the track [mm]"), (*WAYS[1], "angle of the wheel [rad]"),
-                                ("lateral_shift", 1.0, f"lateral {'shift' if of == 'wheelset' else 'position'} of the {of} [mm]"),
-                                ("yaw", 1e3, f"yaw of the {of} [mrad]")):
-        values = {number: factor * place.get(name, 0.0) for number, place in at.items()}
+    """The first abscissa whose values all differ: position along the track, angle of the wheel, lateral shift, yaw;
+    otherwise the position numbers."""
+    places = {m.place["position"]: m.place for m in result.models if m.place}
+    of = "wheel" if "placement.side" in result.inputs else "wheelset"
+    for name, factor, *words in (("track_position", 1.0, "position along the track", "mm", "", True),
+                                 ("wheel_angle", 1.0, "angle", "rad", "wheel", True),
+                                 ("lateral_shift", 1.0, "lateral shift" if of == "wheelset" else "lateral position", "mm", of),
+                                 ("yaw", 1e3, "yaw", "mrad", of)):
+        values = {number: factor * place.get(name, 0.0) for number, place in places.items()}
         if len({round(v, 9) for v in values.values()}) == len(values) > 1:
-            return values, label
-    return {number: number for number in at}, "position"
+            return Abscissa(values, *words)
+    return Abscissa({number: number for number in places}, "position")
 
 
 def at_words(result, position):
     """" at a lateral shift of 3 mm" for a position of a sweep; empty for a single position."""
-    at, label = along(result)
-    if len(at) < 2:
+    over = along(result)
+    if len(over.at) < 2:
         return ""
-    what, _, unit = label.rstrip("]").partition(" [")
-    what = what.removesuffix(f" of the {_placed(result)}")
-    return (f" at a{'n' * what.startswith('a')} {what} of {tables.plain(at[position])} {unit}" if unit
+    return (f" at a{'n' * over.what.startswith('a')} {over.what} of {tables.plain(over.at[position])} {over.unit}" if over.unit
             else f" at position {position:.0f}")
 
 
@@ -178,10 +177,9 @@ def followed(models):
     return contacts
 
 
-def _sweep_along(result):
+def _sweep_along(result, at, label):
     """Load, place and pressure of each contact over the position along the track or the angle of the wheel: a line
     for each contact that moves along."""
-    at, label = along(result)
     models = [m for m in result.models if m.points and "vermeulen" not in m.name]
     reference = reference_of_row(result)
     figure = Figure(3)
@@ -221,9 +219,10 @@ def sweep(result):
     None for fewer than 3."""
     if len(positions(result)) < 3:
         return None
-    if moves_along(result):
-        return _sweep_along(result)
-    at, label = along(result)
+    over = along(result)
+    at, label = over.at, over.label
+    if over.is_way:
+        return _sweep_along(result, at, label)
     models = [m for m in result.models if m.points and "vermeulen" not in m.name]
     reference = reference_of_row(result)
     figure = Figure(3)

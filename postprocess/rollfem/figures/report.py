@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from ..errors import FileError
+from ..model import count
 from ..reader import read_result
 from ..result import place_label
 from . import curves, load_points, maps, positions, stresses, styles, tables, yielding
@@ -79,7 +80,7 @@ def place_captions(result):
     yield ("positions.svg", "Over the positions: " + (
         "load or height of the wheel, and normal force, largest pressure and place of each contact, followed from position to "
         "position (one colour each), at the first load point. Where one line falls and another rises, the load moves from one "
-        "contact to the other." if positions.moves_along(result) else "contact points of wheel and rail, and the results at the "
+        "contact to the other." if positions.along(result).is_way else "contact points of wheel and rail, and the results at the "
         "first load point. Lines: the most loaded patch; single points: further patches; forces: sum over the patches of a "
         "wheel.") + " Filled: left wheel, open: right wheel.", lambda: positions.sweep(result))
 
@@ -182,14 +183,14 @@ def _forces(result, creep_curve):
     if reference is None:
         return ""
     models = load_points.friction_models(result)
-    count = len(load_points.all_keys(models))
+    keys = len(load_points.all_keys(models))
     said = f"Small percentages: difference from {escape(styles.label(reference))}, in percent of full sliding " \
         "(μ, μ p<sub>0</sub>, μ F<sub>z</sub>); bold: more than both error bars allow." if len(models) > 1 else ""
     found = load_points.found_motions(models)
     said += " Creepages and shifts that were found: in percent of the value." * (bool(found) and len(models) > 1)
     said += tables.shared_creepage(models)
-    if count > load_points.MOST_ROWS:
-        said += f" {load_points.MOST_ROWS} of {count} load points; all are in creep_curve.csv."
+    if keys > load_points.MOST_ROWS:
+        said += f" {load_points.MOST_ROWS} of {keys} load points; all are in creep_curve.csv."
     points = [p for m in models for p in m.points]
     largest = max(abs(p["normal_force"]) for p in points)
     lateral = any(abs(p["lateral_force"]) > 1e-4 * largest for p in points)
@@ -204,38 +205,29 @@ def _forces(result, creep_curve):
                    for k, (heading, quantity) in enumerate(rows))
 
 
-WARNING = "warning: "
-
-
-def _said(result):
-    """The notes of the models. A note that differs between patches only in its numbers appears once, with those of
-    the first patch."""
+def _said(result, severity, row):
+    """The notes of the models, each as HTML by `row` of label and text. What a model notes about the same subject at several
+    patches appears once, with the numbers of the first patch."""
     said = {}
     for model in result.models:
-        for note in model.notes + [f"model error: {model.model_error_source}"] * bool(model.model_error_source):
-            words = styles.label(model), re.sub(r"[-+]?\d+(\.\d*)?(e[-+]?\d+)?", "", note)
-            said.setdefault(words, [note, set()])
-            if note != said[words][0]:
-                said[words][1].add(model.key)
-    rows = []
-    for (name, _), (note, others) in said.items():
-        more = "" if not others else " (values differ for 1 other patch)" if len(others) == 1 else (
-            f" (values differ for {len(others)} other patches)")
-        rows.append((name, note + more))
-    return rows
+        for note in (note for note in model.notes if note.severity == severity):
+            first, others = said.setdefault((styles.label(model), note.about), (note, set()))
+            if note != first:
+                others.add(model.key)
+    for (name, about), (note, others) in said.items():
+        more = "" if not others else f" (values differ for {count(others, 'other patch', 'es')})"
+        yield row.format(escape(name), escape("model error: " * (about == "model_error") + str(note) + more))
 
 
 def warned(result):
     """The box below the title: results that miss the accuracy, and all warnings of the models."""
-    rows = [verdict(result.verdict)] + [f"<p class=say>{escape(name)}: {escape(note)}</p>"
-                                        for name, note in _said(result) if note.startswith(WARNING)]
-    return "".join(rows)
+    return verdict(result.verdict) + "".join(_said(result, "warning", "<p class=say>{}: warning: {}</p>"))
 
 
 def notes(result):
     """The section on all other notes."""
-    rows = [f"<li>{escape(name)}: {escape(note)}</li>" for name, note in _said(result) if not note.startswith(WARNING)]
-    return section("Notes on the models", "<ul>" + "".join(rows) + "</ul>" if rows else "")
+    rows = "".join(_said(result, "remark", "<li>{}: {}</li>"))
+    return section("Notes on the models", f"<ul>{rows}</ul>") if rows else ""
 
 
 def lower(html, levels=1):
@@ -287,9 +279,9 @@ def _chooser(result, articles, name):
         parts.append(f'<article class=patch id="of-{this}">{article}</article>')
     if len(articles) <= MOST_PRINTED:
         rules.append("@media print{.patch{display:block}}")
-    at, label = positions.along(result)
+    over = positions.along(result)
     numbers = sorted({position for position, _ in cells})
-    table = tables.table([escape(re.sub(" of the wheel(set)?", "", label)), *(tables.plain(at[n]) for n in numbers)],
+    table = tables.table([escape(over._replace(of="").label), *(tables.plain(over.at[n]) for n in numbers)],
                          [[f"{wheel} wheel", *("".join(cells.get((n, wheel), ["–"])) for n in numbers)]
                           for wheel in ("left", "right") if any(key[1] == wheel for key in cells)],
                          frame="chooser", name="choose a patch")
@@ -303,7 +295,7 @@ def touching(result, figures):
     if not (result.models and result.models[0].place):
         return ""
     row = positions.wheelset_table(result)
-    over = "The wheels along the way" if positions.moves_along(result) else "Wheelset over lateral shift"
+    over = "The wheels along the way" if positions.along(result).is_way else "Wheelset over lateral shift"
     return section(over, row, figures("wheelset.svg")) * bool(row) + section(
         "Where wheel and rail touch", positions.contact_table(result),
         hint("Track: y to the right, contact angle positive where the plane falls towards the middle of the track; "

@@ -51,9 +51,7 @@ class FittingSurface : public ::testing::TestWithParam<const char*> {
   }
 
   static bool notes_the_surface(const contact::ModelResult& result) {
-    return std::any_of(result.notes.begin(), result.notes.end(), [](const std::string& note) {
-      return note.find("\"auto\" took their common surface") < note.size();
-    });
+    return result.note_about("surface") != nullptr;
   }
 
   TemporaryFolder folder_;

@@ -41,7 +41,8 @@ TEST(Reached, AMissingErrorIsUnknownUnlessTheModelIsExact) {
   EXPECT_TRUE(std::isinf(reached_by(made, axis, 0.3, false).model));
   for (contact::PointResult& point : made.points) point.error_estimate.erase("semi_axis_x");
   EXPECT_TRUE(std::isinf(reached_by(made, axis, 0.3, true).discretisation));
-  for (contact::PointResult& point : made.points) point.no_bar["semi_axis_x"] = "exact";
+  for (contact::PointResult& point : made.points)
+    point.no_bar["semi_axis_x"] = contact::NoBar::exact;
   EXPECT_EQ(reached_by(made, axis, 0.3, true).together(), 0.0);
 }
 
@@ -82,7 +83,7 @@ TEST(MissedText, ModelsByNameMissWhatTheyWereAskedForByTheirBarsAlone) {
 
 TEST(MissedText, AnUnknownModelErrorIsNotMet) {
   contact::ModelResult made = chosen();
-  made.model_error_source = "not estimated: no result on the curved bodies";
+  made.notes = {{contact::about_model_error, "no result", contact::Note::warning}};
   for (contact::PointResult& point : made.points) point.model_error.clear();
   EXPECT_EQ(contact::missed_text({made}, {0.5, {"semi_axis_x"}}, 0.3),
             "The result misses 50 %: worst unknown (a).");

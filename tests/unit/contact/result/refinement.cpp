@@ -81,7 +81,7 @@ TEST(Ladder, IsClimbedUntilTheAccuracyIsReached) {
   EXPECT_EQ(across, 80);
   EXPECT_TRUE(result.shortfall.empty());
   EXPECT_EQ(
-      result.notes.back(),
+      result.note_about("accuracy")->text,
       "accuracy 0.011 requested: 80 across; largest estimated error 1 % (max_pressure at load "
       "point 1)");
 }

@@ -101,7 +101,7 @@ TEST(Validity, WarnsOfGridsThatTheCaseGives) {
       if (std::abs(few.grid.x(k % few.grid.nx)) > 1.0) (*f)[k] = 0.0;
   EXPECT_THROW(check_validity(scene(), few), UnfitGrid);
   check_validity(given, few);
-  EXPECT_TRUE(says(validity_warnings(given, few).at(0),
+  EXPECT_TRUE(says(validity_warnings(given, few).at(0).text,
                    "only 2 by 12 of the elements that the case gives (load point 2)"));
   // The patch may end with the points of its undeformed distance, but not with a grid beside.
   ModelResult border = result();
@@ -109,7 +109,7 @@ TEST(Validity, WarnsOfGridsThatTheCaseGives) {
   EXPECT_THROW(check_validity(given, border), UnfitGrid);
   given.geometry.distance_values.emplace();
   check_validity(given, border);
-  EXPECT_TRUE(says(validity_warnings(given, border).at(0),
+  EXPECT_TRUE(says(validity_warnings(given, border).at(0).text,
                    "the patch reaches the border of the contact grid (load point 2)"));
 }
 
@@ -194,10 +194,9 @@ TEST(Validity, WarnsOfPatchApproachAndPressureWithTheirFigures) {
   large.points[1].max_pressure = 3500.0;
   const auto warnings = validity_warnings(scene(), large);
   ASSERT_EQ(warnings.size(), 3u);
-  EXPECT_TRUE(
-      says(warnings[0], "warning: ", "150 mm", "rolling radius of 405 mm", "load point 2", "0.37"));
-  EXPECT_TRUE(says(warnings[1], "warning: ", "10 mm against 405 mm", "0.025"));
-  EXPECT_TRUE(says(warnings[2], "warning: ", "3500 MPa", "3000 MPa"));
+  EXPECT_TRUE(says(warnings[0].text, "150 mm", "rolling radius of 405 mm", "load point 2", "0.37"));
+  EXPECT_TRUE(says(warnings[1].text, "10 mm against 405 mm", "0.025"));
+  EXPECT_TRUE(says(warnings[2].text, "3500 MPa", "3000 MPa"));
   ResultKind bodies;
   bodies.half_spaces = false;  // finite elements have the bodies as they are
   EXPECT_EQ(validity_warnings(scene(), large, bodies).size(), 2u);
@@ -215,7 +214,7 @@ TEST(Validity, WarnsOfStepsBeyondAnElementAndATenthOfThePatch) {
   };
   EXPECT_TRUE(warnings_at(1.0).empty());
   ASSERT_EQ(warnings_at(1.5).size(), 1u);
-  EXPECT_TRUE(says(warnings_at(1.5)[0], "warning: ", "1.5 mm against 10 mm", "load point 2", "0.15",
+  EXPECT_TRUE(says(warnings_at(1.5)[0].text, "1.5 mm against 10 mm", "load point 2", "0.15",
                    "step_length"));
   rolled.grid.dx = 2.0;
   EXPECT_TRUE(warnings_at(1.5).empty());
@@ -246,8 +245,9 @@ TEST(Validity, EveryModelOfARegistryPassesTheGate) {
   models.add(broken).add(hot);
   EXPECT_THROW(models.run("broken", scene(), {}), SolveError);
   const ModelResult passed = models.run("hot", scene(), {});
-  ASSERT_EQ(passed.notes.size(), 1u);
-  EXPECT_TRUE(says(passed.notes.front(), "warning: ", "4000 MPa (load point 1)"));
+  ASSERT_NE(passed.note_about("pressure"), nullptr);
+  EXPECT_EQ(passed.note_about("pressure")->severity, Note::warning);
+  EXPECT_TRUE(says(passed.note_about("pressure")->text, "4000 MPa (load point 1)"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // The error from waves too short for the elements: detected in profiles that have them, and as
 // large as the model finds with elements a quarter as wide.
 #include "halfspace/model/wave_errors.hpp"
+
 #include "halfspace/model/halfspace_model.hpp"
 
 #include "support/profile_scenes.hpp"
@@ -15,9 +16,7 @@ contact::ModelResult solved(contact::Scene scene, double dx, double dy) {
 }
 
 bool warns(const contact::ModelResult& result) {
-  return std::any_of(result.notes.begin(), result.notes.end(), [](const std::string& note) {
-    return note.find("do not resolve the waves") != std::string::npos;
-  });
+  return result.note_about("waves") != nullptr;
 }
 
 TEST(WaveErrors, OfNewProfilesAreNone) {

@@ -30,7 +30,7 @@ struct Toys {
 contact::ModelResult result_of(const std::string& name, const Toy& toy, int across) {
   contact::ModelResult result;
   result.name = name;
-  result.model_error_source = "given";
+  result.notes = {{contact::about_model_error, "given"}};
   contact::PointResult point;
   point.max_pressure = 200.0;
   point.error_estimate["max_pressure"] = 200.0 * toy.discretisation * std::pow(16.0 / across, 1.5);
@@ -88,7 +88,7 @@ Chosen choose_all(const std::vector<std::vector<Candidate>>& contacts, const Wan
       return std::find_if(candidates.begin(), candidates.end(), same)->solve(across);
     };
     subject.friction_coefficient = 0.3;
-    subject.name = "contact " + std::to_string(subjects.size()) + ": ";
+    subject.where = {"contact " + std::to_string(subjects.size())};
   }
   return choose(std::move(subjects), what);
 }
@@ -136,7 +136,7 @@ TEST(Choice, ContinuesWhereTheModelErrorIsTooLarge) {
   EXPECT_EQ(result.name, "corrected");
   EXPECT_TRUE(says(result.choice, "corrected, 64 across", "plain, 32 across", "model 3 %",
                    "full would take about 7 min"));
-  EXPECT_EQ(result.notes.front(), "auto, for 1 %: " + result.choice);
+  EXPECT_EQ(result.note_about("choice")->text, "auto, for 1 %: " + result.choice);
 }
 
 TEST(Choice, SkipsModelsThatFailOrCannotSolveTheCase) {
@@ -233,8 +233,9 @@ TEST(Choice, OneContactThatNeedsAnotherModelChangesTheModelOfAll) {
     EXPECT_EQ(result.name, "corrected");
     EXPECT_EQ(result.notes, chosen.results.front().notes) << "one note for the run";
   }
-  EXPECT_TRUE(says(chosen.results[0].notes.front(), "auto, for 1 %: corrected for all 3 contacts",
-                   "; plain for all 3 contacts", "model 3 %", "; full would take about"));
+  EXPECT_TRUE(says(chosen.results[0].note_about("choice")->text,
+                   "auto, for 1 %: corrected for all 3 contacts", "; plain for all 3 contacts",
+                   "model 3 %", "; full would take about"));
   // The contact that alone needs a finer grid has one: a tenth of 3 % is left of its model error.
   EXPECT_EQ(good.solved,
             (Solved{{"plain", 32}, {"plain", 32}, {"corrected", 32}, {"corrected", 32}}));
@@ -278,7 +279,7 @@ TEST(Choice, AnUnknownErrorDoesNotSuffice) {
   all[0].solve = [&](int across) {
     contact::ModelResult result = result_of("plain", toys.plain, across);
     result.points[0].error_estimate.clear();
-    result.points[0].no_bar["max_pressure"] = "one grid";
+    result.points[0].no_bar["max_pressure"] = contact::NoBar::one_grid;
     return result;
   };
   EXPECT_NE(choose(all, wanted(0.01)).name, "plain");

@@ -25,11 +25,10 @@ TEST(SummaryJson, HasTheDocumentedKeysAndNoOthers) {
     return names;
   };
   EXPECT_EQ(keys(json), "format title case_file case_checksum program verdict models checksum ");
-  EXPECT_EQ(json["format"], 2);
+  EXPECT_EQ(json["format"], 3);
   EXPECT_EQ(keys(json["program"]), "version commit ");
   const auto& model = json["models"][1];
-  EXPECT_EQ(keys(model),
-            "name label seconds unknowns contact_elements notes model_error_source points ");
+  EXPECT_EQ(keys(model), "name label seconds unknowns contact_elements notes points ");
   std::string scalars;
   for (const contact::Quantity& quantity : contact::quantities())
     if (!quantity.member.may_be_absent) scalars += std::string(quantity.name) + " ";

@@ -103,7 +103,7 @@ TEST(EveryQuantity, HasAColumnOfCreepCurveCsvWithItsUnit) {
 TEST(EveryQuantity, HasItsBarInCreepCurveCsvOrTheWordInItsPlace) {
   RunRecord run = numbered_run();
   run.models[0].points[0].error_estimate = {{"max_pressure", 1.25}};
-  run.models[0].points[0].no_bar = {{"approach", "given"}};
+  run.models[0].points[0].no_bar = {{"approach", contact::NoBar::given}};
   run.models[0].points[0].model_error = {{"semi_axis_x", 0.5}};
   const auto row = csv_records(creep_curve_csv(run), false).at(0);
   EXPECT_EQ(row.at("error_estimate max_pressure [MPa]"), "1.25");
