@@ -36,7 +36,7 @@ def test_a_patch_as_large_as_the_bodies_is_warned_of_everywhere(rollfem):
     warnings = ["warning: the patch is not small against the bodies",
                 "warning: the approach is not small against the radii", "warning: the largest pressure, 5."]
     for model in rollfem.models("out"):
-        says("\n".join(model["notes"]), *warnings)
+        says("\n".join(f"{note['severity']}: {note['text']}" for note in model["notes"]), *warnings)
         says(outcome.out, *(f"{model['name']}: {warning}" for warning in warnings))
     says(rollfem.text("out/report.html"), *warnings)
 
