@@ -371,10 +371,11 @@ void check_curved(const Scene& scene) {
   const auto refuse = [&](bool asked, const char* what) {
     if (!asked) return;
     throw contact::InputError(
-        fmt::format("{}: halfspace.surface = \"curved\": cannot be combined with {}; allowed: "
-                    "wheel and rail with radii or profiles, and no stresses below the surface; do: "
-                    "remove it, or run with surface = \"planar\"",
-                    scene.file, what));
+        scene.where(),
+        "halfspace.surface = \"curved\": cannot be combined with {}; allowed: "
+        "wheel and rail with radii or profiles, and no stresses below the surface; do: "
+        "remove it, or run with surface = \"planar\"",
+        what);
   };
   refuse(!scene.geometry.has_surfaces(), "undeformed_distance");
   refuse(scene.given_pressure.has_value(), "given_pressure");
