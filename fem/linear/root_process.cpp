@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fem/linear/root_process.hpp"
+
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
-#include "fem/linear/root_process.hpp"
 
 #include <deal.II/base/mpi.h>
 
@@ -68,7 +69,7 @@ RootProcess::RootProcess(MPI_Comm communicator) : communicator_(communicator) {
 }
 
 void RootProcess::run(const std::function<void()>& work,
-                       const std::function<void(const Command&)>& execute) {
+                      const std::function<void(const Command&)>& execute) {
   if (processes_ == 1)
     work();
   else if (here())

@@ -17,13 +17,14 @@ class RootProcess {
   /// Collective.
   explicit RootProcess(MPI_Comm communicator);
 
-  /// Runs `work` on the root process (rank 0), with all cores and threads of the processes on its machine.
-  /// The others sleep except when executing commands, and return when it ends. Its exceptions are
-  /// thrown on all processes. Collective.
-  void run(const std::function<void()>& work, const std::function<void(const Command&)>& execute = {});
+  /// Runs `work` on the root process (rank 0), with all cores and threads of the processes on its
+  /// machine. The others sleep except when executing commands, and return when it ends. Its
+  /// exceptions are thrown on all processes. Collective.
+  void run(const std::function<void()>& work,
+           const std::function<void(const Command&)>& execute = {});
 
-  /// Within `work`: collective work, done by the others in `execute(command)`. It throws on all of them
-  /// or on none.
+  /// Within `work`: collective work, done by the others in `execute(command)`. It throws on all of
+  /// them or on none.
   void call(const Command& command, const std::function<void()>& own);
 
   /// Whether this is the root process.

@@ -2,8 +2,8 @@
 // Bars of transients under long steps: against the steady start that must go on, and against the
 // same history in shorter steps.
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/step_errors.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "halfspace/model/step_errors.hpp"
 
 #include "support/test.hpp"
 #include "support/thesis_cases.hpp"

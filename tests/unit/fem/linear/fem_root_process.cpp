@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One process works for all: the others execute its commands, sleep between them, and end as it ends.
+// One process works for all: the others execute its commands, sleep between them, and end as it
+// ends.
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
 #include "fem/linear/root_process.hpp"
@@ -49,7 +50,8 @@ TEST(RootProcess, CallsAllInTheOrderOfItsWork) {
   first.run(
       [&] {
         ++works;
-        for (const std::string command : {"", "a", "bc"}) first.call(command, [&] { together(command); });
+        for (const std::string command : {"", "a", "bc"})
+          first.call(command, [&] { together(command); });
       },
       together);
   EXPECT_EQ(works, first.here() ? 1 : 0);
