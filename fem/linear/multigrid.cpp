@@ -165,11 +165,11 @@ void MultigridLevel::restrict_residual(Work& at, FloatVector& coarser) const {
   to_coarser_->restrict_and_add(coarser, at.product);
 }
 
-/// Counts of all processes in order.
-struct Shares {
+/// Counts of all processes in order, and where each begins in a gathered list.
+struct GatherLayout {
   std::vector<int> counts, offsets;
 
-  Shares(std::size_t mine, MPI_Comm communicator)
+  GatherLayout(std::size_t mine, MPI_Comm communicator)
       : counts(dealii::Utilities::MPI::n_mpi_processes(communicator) == 1
                    ? std::vector<int>{static_cast<int>(mine)}
                    : dealii::Utilities::MPI::all_gather(communicator, static_cast<int>(mine))),
@@ -181,23 +181,23 @@ struct Shares {
   }
 };
 
-/// The contributions of all processes, on the first one.
+/// The contributions of all processes, gathered on the root process.
 std::vector<MatrixEntry> gather(const std::vector<MatrixEntry>& mine, MPI_Comm communicator) {
-  const Shares shares(mine.size(), communicator);
-  if (shares.counts.size() == 1) return mine;
+  const GatherLayout layout(mine.size(), communicator);
+  if (layout.counts.size() == 1) return mine;
   MPI_Datatype entry;
   MPI_Type_contiguous(sizeof(MatrixEntry), MPI_BYTE, &entry);
   MPI_Type_commit(&entry);
   std::vector<MatrixEntry> all(
-      dealii::Utilities::MPI::this_mpi_process(communicator) == 0 ? shares.sum() : 0);
-  MPI_Gatherv(mine.data(), static_cast<int>(mine.size()), entry, all.data(), shares.counts.data(),
-              shares.offsets.data(), entry, 0, communicator);
+      dealii::Utilities::MPI::this_mpi_process(communicator) == 0 ? layout.sum() : 0);
+  MPI_Gatherv(mine.data(), static_cast<int>(mine.size()), entry, all.data(), layout.counts.data(),
+              layout.offsets.data(), entry, 0, communicator);
   MPI_Type_free(&entry);
   return all;
 }
 
 /// Direct solution on the coarsest level, where iterations fail on the stretched cells of a graded
-/// mesh: its matrix is gathered and factorised on the first process.
+/// mesh: its matrix is gathered and factorised on the root process.
 class CoarseSolver {
  public:
   /// `entries`: contributions of this process to the lower triangle; `owned`: number of unknowns it
@@ -210,7 +210,7 @@ class CoarseSolver {
 
  private:
   MPI_Comm communicator_;
-  // On the first process only.
+  // On the root process only.
   std::unique_ptr<CholeskyFactor> factor_;
   std::vector<int> counts_, offsets_;  ///< ranges owned by the processes
   std::size_t size_ = 0;               ///< of the matrix
@@ -220,15 +220,15 @@ CoarseSolver::CoarseSolver(const std::vector<MatrixEntry>& entries, std::size_t 
                            MPI_Comm communicator)
     : communicator_(communicator) {
   const std::vector<MatrixEntry> all = gather(entries, communicator);
-  Shares shares(owned, communicator);
+  GatherLayout layout(owned, communicator);
   RootProcess(communicator).run([&] {
-    size_ = shares.sum();
+    size_ = layout.sum();
     factor_ = std::make_unique<CholeskyFactor>(
         all, size_, FactorMessages{"coarse solve of the multigrid", "use a coarser fem.cell_size"});
   });
-  if (shares.counts.size() == 1) return;
-  counts_ = std::move(shares.counts);
-  offsets_ = std::move(shares.offsets);
+  if (layout.counts.size() == 1) return;
+  counts_ = std::move(layout.counts);
+  offsets_ = std::move(layout.offsets);
 }
 
 /// A single process does not call MPI (Multigrid::runs_beside_others).
