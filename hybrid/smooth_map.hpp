@@ -6,11 +6,8 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
-<<<<<<< HEAD:hybrid/smooth_map.hpp
-#include "halfspace/stress/subsurface.hpp"
-=======
 #include "contact/result/note.hpp"
->>>>>>> bc2e8b05 (Notes, missing error bars and places of failures are data):halfspace/elasticity/smooth_map.hpp
+#include "halfspace/stress/subsurface.hpp"
 
 #include <Eigen/Core>
 

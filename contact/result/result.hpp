@@ -4,7 +4,6 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
-#include "contact/result/no_bar.hpp"
 #include "contact/result/note.hpp"
 #include "contact/result/yielded_section.hpp"
 #include "contact/scene/members.hpp"
