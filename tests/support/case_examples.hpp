@@ -59,11 +59,4 @@ inline std::string plus(const std::string& lines) {
   return small_case + lines;
 }
 
-/// The small case, or another, rolling with these creepages on this many elements across.
-inline std::string rolling(const std::string& creepages, int across,
-                           const std::string& text = small_case) {
-  return text + "[rolling]\nlongitudinal_creepage = " + creepages +
-         "\n[contact_grid]\nelements_across = " + std::to_string(across) + "\n";
-}
-
 }  // namespace rollfem::testing

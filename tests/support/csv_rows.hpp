@@ -37,14 +37,4 @@ inline std::vector<std::map<std::string, std::string>> csv_records(const std::st
   return records;
 }
 
-/// The numbers below the head, from that column on.
-inline std::vector<double> csv_numbers(const std::string& text, std::size_t first_column) {
-  const auto rows = csv_rows(text);
-  std::vector<double> numbers;
-  for (std::size_t r = 1; r < rows.size(); ++r)
-    for (std::size_t c = first_column; c < rows[r].size(); ++c)
-      numbers.push_back(std::stod(rows[r][c]));
-  return numbers;
-}
-
 }  // namespace rollfem::testing
