@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -81,13 +80,6 @@ inline constexpr std::array<const char*, 11> no_bar_words{
 
 constexpr const char* word_of(NoBar reason) {
   return no_bar_words[static_cast<std::size_t>(reason)];
-}
-
-/// Throws std::runtime_error for another word.
-inline NoBar no_bar_of(const std::string& word) {
-  for (std::size_t k = 0; k < no_bar_words.size(); ++k)
-    if (word == no_bar_words[k]) return static_cast<NoBar>(k);
-  throw std::runtime_error("\"" + word + "\" is no reason for a missing error bar");
 }
 
 }  // namespace rollfem::contact
