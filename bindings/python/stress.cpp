@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Stress and displacement below the surface of stored load points: sums over the tractions of a
 // contact, and interpolation in bodies of finite elements. Where, and what follows from it, is
-// Python's (postprocess/rollfem/subsurface.py).
+// Python's (postprocess/rollfem/commands/subsurface.py).
 #include "bindings/python/caller.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/stress_extremes.hpp"
