@@ -6,6 +6,8 @@
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/output.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "support/output_synthetic_run.hpp"
 
 namespace {
@@ -26,6 +28,21 @@ contact::PointResult full_point() {
   below.displacement = {{1e-3, 0, 2e-3}, {1e-3, 0, 1e-3}};
   below.stress = {{1, 2, 3, 4, 5, 6}, {6, 5, 4, 3, 2, 1}};
   point.subsurface = {below};
+  point.stress_maxima = {{"rail", "tresca", 300.0, {0.0, 1.0, -2.0}}};
+  contact::YieldedSection rail;
+  rail.body = "rail";
+  rail.verdict = "settling";
+  rail.increment = 1e-3;
+  rail.across = 1;
+  rail.down = 2;
+  rail.y = {0.0, 0.0};
+  rail.depth = {1.0, 2.0};
+  rail.strain = rail.stress = {{1, 2, 3, 4, 5, 6}, {6, 5, 4, 3, 2, 1}};
+  rail.accumulated = {0.25F, 0.5F};
+  rail.surface_y = {0.0};
+  rail.groove = {-1e-3};
+  rail.forward_flow = {2e-3};
+  point.yielded = {rail};
   return point;
 }
 
@@ -48,6 +65,22 @@ TEST(Record, APointComesBackToTheLastBit) {
   EXPECT_TRUE(record.exhausted());
   EXPECT_EQ(postprocess::summary_json(run), summary);
   EXPECT_TRUE(postprocess::results_hdf5(run) == fields);
+}
+
+TEST(Record, TheSummaryListsWhatAPointHasSeveralOf) {
+  postprocess::RunRecord run = synthetic_run();
+  run.models[2].points[3] = full_point();
+  const auto summary = nlohmann::json::parse(postprocess::summary_json(run));
+  const auto& point = summary["models"][2]["points"][3];
+  EXPECT_EQ(point["stress_maxima"],
+            nlohmann::json::parse(
+                R"([{"body": "rail", "measure": "tresca", "value": 300.0, "place": [0, 1, -2]}])"));
+  ASSERT_EQ(point["yielded"].size(), 1U);
+  EXPECT_EQ(point["yielded"][0]["body"], "rail");
+  EXPECT_EQ(point["yielded"][0]["verdict"], "settling");
+  EXPECT_EQ(point["yielded"][0]["increment"], 1e-3);
+  EXPECT_FALSE(point["yielded"][0].contains("groove"));  // arrays are in results.h5
+  EXPECT_FALSE(point.contains("subsurface"));
 }
 
 TEST(Record, APointWithoutASolutionStaysEmpty) {
