@@ -57,8 +57,7 @@ class Reading(unittest.TestCase):
         self.assertEqual((read.title, read.case_text), (self.result.title, self.result.case_text))
         self.assertEqual((read.inputs["wheel.young_modulus"], read.inputs["rail.poisson_ratio"]), (207e3, 0.3))
         for one, other in zip(self.result.models, read.models, strict=True):
-            for name in ("name", "label", "key", "x", "y", "dx", "dy", "unknowns", "contact_elements", "seconds", "notes",
-                         "model_error_source", "place"):
+            for name in ("name", "label", "key", "x", "y", "dx", "dy", "unknowns", "contact_elements", "seconds", "notes", "place"):
                 self.same(getattr(one, name), getattr(other, name), name)
             for point, stored in zip(one.points, other.points, strict=True):
                 for name in ("scalars", "fields", "error_estimate", "no_bar", "model_error", "richardson", "stress_maxima", "subsurface",

@@ -315,8 +315,9 @@ def of_bodies(places=(None,), elastic=("wheel", "rail")):
             kept = {"bodies": part_of(("displacement", "stress"), load)} if name == "fem" and load in (1, 3) else {}
             points[f"{load:04}"] = Node(scalars, {"pressure": pressure}, kept)
         models.append(ModelResult(f"{name}_{number}", Node(
-            {"model": name, "label": name, "unknowns": 1, "contact_elements": 1}, {"notes": []},
+            {"model": name, "label": name, "unknowns": 1, "contact_elements": 1}, {},
             {"grid": Node({"dx": 0.5, "dy": 0.5}, {"x": grid, "y": grid}, {}), "seconds": none, "points": Node({}, {}, points),
+             "notes": Node({}, {name: [] for name in ("severity", "about", "text")}, {}),
              "bodies": part_of(("points", "cells")), **({"place": Node(place, {}, {})} if place else {})})))
     inputs = {f"{body}.{name}": value for body in ("wheel", "rail") for name, value in STEEL.items()}
     return rollfem.Result("a block", "", "", models, folder="r", inputs=inputs)
