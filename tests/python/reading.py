@@ -21,8 +21,8 @@ CASE = {"title": "a crown", "load": {"normal_force": 50e3}, "friction": {"coeffi
 #: (what is done to the file, part of the message)
 CHANGES = [
     ("f.attrs['format'] = 'something'", "but not a result of rollfem"), ("del f.attrs['format']", "but not a result of rollfem"),
-    ("f.attrs['format_version'] = 1", "format version 1, this program reads 2"),
-    ("f.attrs['format_version'] = 3", "format version 3, this program reads 2"),
+    ("f.attrs['format_version'] = 1", "format version 1, this program reads 3"),
+    ("f.attrs['format_version'] = 4", "format version 4, this program reads 3"),
     ("del f.attrs['complete']", "is incomplete, because writing it was interrupted"),
     ("f.attrs['complete'] = 0", "is incomplete, because writing it was interrupted"),
     ("del f['case']", "cannot be read as a result of rollfem"), ("del f['models/hertz/grid']", "cannot be read as a result of rollfem"),
