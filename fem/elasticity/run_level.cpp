@@ -308,7 +308,9 @@ void SharedLevel::spin_wheel() {
   expansion = wheel_expansion(*bodies_.wheel, *solvers_[0], geometry_.geometry().surface,
                               layout.grid, scene.upwind_order);
   contact::add_note(result_.notes, "inertia",
-                    "rolling at {:.4g} mm/s: inertia of wheel and rail;
+                    "rolling at {:.4g} mm/s: inertia of wheel and rail; rotation expands the wheel "
+                    "by {:.3g} mm, which raises the axle and is subtracted from the approach",
+                    scene.speed, -expansion->distance.mean());
 }
 
 void SharedLevel::add_stresses(const FemCompliance& of_point, std::size_t k, PointResult& point) {
