@@ -40,9 +40,6 @@ Array::Type type_of(const float* /*number*/) {
 Array::Type type_of(const int* /*number*/) {
   return Array::Type::whole;
 }
-Array::Type type_of(const unsigned char* /*number*/) {
-  return Array::Type::byte;
-}
 
 template <class Number>
 Array array_of(const std::vector<Number>& values) {
