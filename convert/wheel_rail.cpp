@@ -206,7 +206,7 @@ void fill_wheel_rail(const ContactCase& given, const std::string& profile_folder
   fill_profile(pair.wheel, "wheel", profile_folder, made);
   fill_track(given, profile_folder, made);
   fill_wheelset(given, made);
-  made.set_list("contact_grid", "cell_size", {pair.cell[0], pair.cell[1]}, "mm, DX and DS");
+  made.set_list("contact_grid", "cell_size", {pair.cell[0], pair.cell[1]}, "mm");
   const int D = pair.search;
   made.set_word("halfspace", "surface", D == 4 ? "curved" : "planar");
   if (given.digits.T != 0) {

@@ -151,8 +151,8 @@ Verdict checked(const fs::path& path, const contact::ModelRegistry& models) {
 /// The case file with other keys, and a note on them.
 convert::CaseFile with_keys(convert::CaseFile made, const std::vector<std::string>& keys,
                             const std::string& note) {
-  made.text =
-      fmt::format("# note: {}\n{}", note, contact::with_changes(made.text, made.name, keys));
+  made.text = contact::with_changes(made.text, made.name, keys);
+  made.text.insert(made.text.find('\n') + 1, fmt::format("# note: {}\n", note));
   made.notes.push_back(note);
   return made;
 }

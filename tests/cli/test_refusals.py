@@ -131,14 +131,14 @@ def test_a_case_may_have_letters_beyond_ascii_in_texts_and_comments():
                                         ("/", "/: is a folder"), ("/dev/zero", "is not a regular file"),
                                         ("", "there is no such file")])
 def test_what_is_no_file_is_refused(file, said):
-    says(refusal("read_case", file), said)
+    says(refusal("read_case", file, []), said)
 
 
 def test_a_huge_file_is_refused_without_reading_it(tmp_path):
     huge = tmp_path / "huge.toml"
     huge.touch()
     os.truncate(huge, 2**40)  # sparse: takes no space
-    says(refusal("read_case", str(huge)), "larger than 1 MB")
+    says(refusal("read_case", str(huge), []), "larger than 1 MB")
 
 
 LATTICE = "".join(f"{-2 + 0.5 * i}, {-1 + 0.25 * j}, {i * j}\n" for j in range(4) for i in range(4))
@@ -168,13 +168,13 @@ RESIDUAL = SMALL | {"rail_plasticity.yield_stress": 520.0, "rail_plasticity.resi
 def test_points_of_a_case(tmp_path, keys, content, parts):
     (tmp_path / "points.csv").write_text(content)
     (tmp_path / "case.toml").write_text(toml(keys))
-    expect(refusal("read_case", str(tmp_path / "case.toml")), parts)
+    expect(refusal("read_case", str(tmp_path / "case.toml"), []), parts)
 
 
 def test_points_that_are_none_are_not_quoted(tmp_path):
     (tmp_path / "points.csv").write_text("root:x:0:0\nuser:secret:1000\n")
     (tmp_path / "case.toml").write_text(toml(DISTANCE))
-    said = refusal("read_case", str(tmp_path / "case.toml"))
+    said = refusal("read_case", str(tmp_path / "case.toml"), [])
     assert said and "secret" not in said
 
 
