@@ -4,6 +4,7 @@
 incomplete or damaged file. Call: reading.py; rollfem is found by PYTHONPATH."""
 import pathlib
 import random
+import sys
 import tempfile
 import unittest
 
@@ -124,4 +125,4 @@ class Reading(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=sys.argv[:1])

@@ -6,6 +6,7 @@ rollfem is found by PYTHONPATH."""
 import json
 import math
 import os
+import sys
 import tempfile
 import unittest
 
@@ -484,4 +485,4 @@ class Benches(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=sys.argv[:1])
