@@ -13,6 +13,22 @@ def von_mises(stress: np.ndarray) -> np.ndarray:
     return np.asarray(np.sqrt(distortion))
 
 
+def _principal(stress: np.ndarray) -> np.ndarray:
+    """Principal stresses [..., 3], the largest first, by Jacobi's rotations (Golub and Van Loan 2013, section 8.5): LAPACK's
+    last digit depends on the thread."""
+    xx, yy, zz, xy, yz, xz = np.moveaxis(stress, -1, 0)
+    on, off = [xx, yy, zz], [yz, xz, xy]  # off[r]: that between the two axes other than r
+    for p, q, r in 6 * ((0, 1, 2), (0, 2, 1), (1, 2, 0)):
+        apart = on[q] - on[p]
+        below = apart + np.copysign(np.sqrt(apart**2 + 4.0 * off[r] ** 2), apart)
+        tangent = np.divide(2.0 * off[r], below, out=np.zeros_like(below), where=below != 0.0)
+        cosine = 1.0 / np.sqrt(tangent**2 + 1.0)
+        on[p], on[q] = on[p] - tangent * off[r], on[q] + tangent * off[r]
+        off[p], off[q] = cosine * (off[p] + tangent * off[q]), cosine * (off[q] - tangent * off[p])
+        off[r] = np.zeros_like(below)
+    return np.sort(np.stack(on, axis=-1), axis=-1)[..., ::-1]
+
+
 def stress_measures(stress: ArrayLike) -> dict[str, np.ndarray]:
     """Scalars of stresses.
 
@@ -34,8 +50,7 @@ def stress_measures(stress: ArrayLike) -> dict[str, np.ndarray]:
     if components.shape[-1:] != (6,):
         raise InputError("stress_measures: the last axis of a stress has its six components xx, yy, zz, xy, yz, xz")
     xx, yy, zz, xy, yz, xz = np.moveaxis(components, -1, 0)
-    principal = np.linalg.eigvalsh(
-        np.stack([np.stack(row, axis=-1) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))], axis=-2))[..., ::-1]
+    principal = _principal(components)
     return {
         "hydrostatic": (xx + yy + zz) / 3,
         "von_mises": von_mises(components),
