@@ -81,7 +81,7 @@ TEST(BarCoverage, HoldsOnWornProfiles) {
     ASSERT_GE(samples[name].size(), 20u) << name;
     const BarRow row(samples[name]);
     EXPECT_GE(row.covered, 20.0 / pairs) << name << ", " << row.count << " numbers";
-    EXPECT_LE(row.bar_over_error, 10.0) << name;
+    EXPECT_LE(row.bar_over_error, 13.0) << name;
   }
 }
 
