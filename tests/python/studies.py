@@ -265,11 +265,12 @@ def made(record):
     """The result that such a record stands for."""
     points = {f"{number:04}": Node(each["scalars"], each["fields"], {name: Node(each[name], {}, {}) for name in (
         "error_estimate", "no_bar", "model_error")}) for number, each in enumerate(record["points"])}
-    parts = {"seconds": Node(record["seconds"], {}, {}), "grid": Node({"dx": 1.0, "dy": 1.0}, {}, {}), "points": Node({}, {}, points)}
+    parts = {"seconds": Node(record["seconds"], {}, {}), "grid": Node({"dx": 1.0, "dy": 1.0}, {}, {}), "points": Node({}, {}, points),
+             "notes": Node({}, {"severity": [], "about": [], "text": []}, {})}
     if record["place"]:
         parts["place"] = Node(record["place"], {}, {})
     about = {"model": record["name"], "label": record["label"], "unknowns": 1, "contact_elements": 1}
-    return ModelResult(record["key"], Node(about, {"notes": []}, parts))
+    return ModelResult(record["key"], Node(about, {}, parts))
 
 
 REFERENCES = ["halfspace", "fem"]
