@@ -28,7 +28,7 @@ TEST(SummaryJson, HasTheDocumentedKeysAndNoOthers) {
   EXPECT_EQ(json["format"], 3);
   EXPECT_EQ(keys(json["program"]), "version commit ");
   const auto& model = json["models"][1];
-  EXPECT_EQ(keys(model), "name label seconds unknowns contact_elements notes points ");
+  EXPECT_EQ(keys(model), "name label unknowns contact_elements seconds notes points ");
   std::string scalars;
   for (const contact::Quantity& quantity : contact::quantities())
     if (!quantity.member.may_be_absent) scalars += std::string(quantity.name) + " ";
