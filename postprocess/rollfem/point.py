@@ -34,6 +34,19 @@ class Quantity:
         """For an axis: "largest pressure (MPa)"."""
         return self.title if self.unit == "-" else f"{self.title} ({self.unit})"
 
+    @property
+    def of_friction(self) -> bool:
+        """Whether full sliding is the reference of errors and differences."""
+        return self.percent_of.startswith("mu")
+
+    def full_sliding(self, point: "Point", friction: float) -> float:
+        """The value in full sliding at a load point, in the unit of the quantity; 0 unless it is the reference."""
+        if not self.of_friction:
+            return 0.0
+        force, pressure, a, b = (float(point.scalars.get(name) or 0.0)
+                                 for name in ("normal_force", "max_pressure", "semi_axis_x", "semi_axis_y"))
+        return friction * abs({"mu": 1.0, "mu F_z": force, "mu F_z sqrt(ab)": force * math.sqrt(a * b), "mu p_0": pressure}[self.percent_of])
+
 
 @dataclass(frozen=True)
 class Field:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Results of several models side by side: every number with its error bar and its difference from a reference model, for one
 or several cases; as the files and the text of `rollfem compare` (docs/commands.md)."""
-import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
@@ -77,16 +76,11 @@ class Number:
         return self.reference_value is not None and self.excess > 1e-9  # less is rounding
 
 
-def of_friction(quantity: Quantity) -> bool:
-    """Whether full sliding is the reference of differences."""
-    return quantity.percent_of.startswith("mu")
-
-
 @cache
 def quantities() -> dict[str, Quantity]:
     """By which models are compared: those of the patch first, then those of friction."""
     found = {name: QUANTITIES[name] for name in _core.compared_quantities()}
-    ordered = dict(sorted(found.items(), key=lambda item: of_friction(item[1])))
+    ordered = dict(sorted(found.items(), key=lambda item: item[1].of_friction))
     ordered["lateral_coefficient"] = replace(QUANTITIES["traction_coefficient"], title="lateral coefficient", symbol="-F_y/F_z")
     for name, (symbol, _) in FOUND.items():
         ordered[name] = replace(QUANTITIES[name], symbol=symbol, percent_of="value")
@@ -111,12 +105,10 @@ def error_of(point: Point, name: str) -> float | None:
 
 def whole_of(point: Point, name: str, friction: float) -> float:
     """100 % of a quantity at a load point: full sliding, otherwise the magnitude of the value; 0: there is none."""
-    scale = quantities()[name].percent_of
-    if not of_friction(quantities()[name]):
-        return abs(value_of(point, name)) if scale else 0.0
-    size = math.sqrt((point.scalars.get("semi_axis_x") or 0.0) * (point.scalars.get("semi_axis_y") or 0.0))
-    force, pressure = (point.scalars.get(one) or 0.0 for one in ("normal_force", "max_pressure"))
-    return friction * {"mu": 1.0, "mu F_z": force, "mu F_z sqrt(ab)": force * size, "mu p_0": pressure}[scale]
+    quantity = quantities()[name]
+    if quantity.of_friction:
+        return quantity.full_sliding(point, friction)
+    return abs(value_of(point, name)) if quantity.percent_of else 0.0
 
 
 def _rubs(model: ModelResult) -> bool:
@@ -151,7 +143,7 @@ def _exact(models: Sequence[ModelResult], base: ModelResult, k: int, name: str) 
 def _refer(number: Number, base: ModelResult, friction: float) -> None:
     point, name = base[number.point - 1], number.quantity
     value, scale = value_of(point, name), whole_of(point, name, friction)
-    if scale > 0 and (value or of_friction(quantities()[name])):
+    if scale > 0 and (value or quantities()[name].of_friction):
         number.reference, number.reference_value, number.scale = base.name, value, scale
         number.reference_error = error_of(point, name) or 0.0
 
@@ -164,11 +156,11 @@ def _numbers_of_patch(models: Sequence[ModelResult], friction: float, references
     for model in models:
         for k, point in enumerate(model):
             for name, quantity in quantities().items():
-                with_friction = of_friction(quantity) or name in FOUND
+                with_friction = quantity.of_friction or name in FOUND
                 if with_friction and not (model in rubbing and _is_result(point, name)):
                     continue
                 value = value_of(point, name)
-                if name == "lateral_coefficient" and not lateral or not value and not of_friction(quantity):
+                if name == "lateral_coefficient" and not lateral or not value and not quantity.of_friction:
                     continue  # exactly 0 in what cannot be 0: the model does not give it
                 number = Number(place_label(model.place), model.name, k + 1, point.creepages, name, value, error_of(point, name),
                                 point.model_error.get(name))

@@ -201,15 +201,6 @@ def _with_forces(models, found, words):
     return said
 
 
-def full_sliding(point, percent_of, friction):
-    """Full-sliding value of a quantity whose errors are in percent of `percent_of`; 0 for other quantities."""
-    if not percent_of.startswith("mu"):
-        return 0.0
-    size = {"mu": 1.0, "mu F_z": point["normal_force"], "mu p_0": point["max_pressure"],
-            "mu F_z sqrt(ab)": point["normal_force"] * math.sqrt(point["semi_axis_x"] * point["semi_axis_y"])}
-    return friction * abs(size[percent_of])
-
-
 def creepage_table(result, quantity):
     """A friction quantity of every model with friction at every creepage. Differences from the reference are in percent
     of the reference's value in full sliding."""
@@ -225,7 +216,7 @@ def creepage_table(result, quantity):
             return "–"
         if model is reference or not base:
             return with_bar(point, quantity)
-        sliding = full_sliding(base, result.quantities[quantity].percent_of, result.friction_coefficient)
+        sliding = result.quantities[quantity].full_sliding(base, result.friction_coefficient)
         return with_bar(point, quantity) + against(point, base, quantity, sliding or base[quantity])
 
     return _compared(head, models, reference, [(words(key), lambda model, key=key: cell(model, key))
