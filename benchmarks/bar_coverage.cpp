@@ -13,7 +13,7 @@
 // With `rows`, prints every number (error, bar, bar on the fine grid) instead of the table.
 #include "tests/support/bar_coverage.hpp"
 
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 
 #include <fmt/format.h>
 

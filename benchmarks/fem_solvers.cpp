@@ -6,7 +6,7 @@
 // that a process passes to MPI) are maxima over the processes for one solve: they show the
 // distribution of work on a machine with fewer cores than processes.
 //   benchmark_fem_solvers multigrid|algebraic|factorisation CELL_MM ...
-#include "contact/base/progress.hpp"
+#include "base/progress.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/discretisation/elasticity_operator.hpp"
 #include "fem/linear/algebraic_multigrid.hpp"

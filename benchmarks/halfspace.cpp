@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Speed of the half-space: the products, the normal problem (case a) and one steady-rolling
 // solution with combined creepage and spin (benchmark 9) from coarse to fine.
-#include "contact/base/threads.hpp"
+#include "base/threads.hpp"
 #include "contact/iteration/interpolation.hpp"
 #include "contact/iteration/leading_edge.hpp"
 #include "contact/iteration/normal.hpp"

@@ -2,7 +2,7 @@
 // Fraction of peak performance reached by the product of the half-space: flops per second against a
 // loop of multiply-adds in registers, bytes per second against a triad. One core; prints the rows
 // of docs/benchmarks.md.
-#include "contact/base/threads.hpp"
+#include "base/threads.hpp"
 #include "halfspace/elasticity/fft.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "convert/conversion.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/case/keys/case_keys.hpp"
+#include "base/errors.hpp"
+#include "case/keys/case_keys.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "convert/equivalent.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/case/case.hpp"
+#include "base/errors.hpp"
+#include "case/case.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "convert/input_lines.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
-#include "contact/base/text_fields.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
+#include "base/text_fields.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "convert/single_contact.hpp"
 
-#include "contact/base/grid.hpp"
-#include "contact/base/material.hpp"
-#include "contact/base/pi.hpp"
+#include "base/grid.hpp"
+#include "base/material.hpp"
+#include "base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include <fmt/format.h>

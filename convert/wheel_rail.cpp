@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "convert/wheel_rail.hpp"
 
-#include "contact/case/track.hpp"
+#include "case/track.hpp"
 
 #include <fmt/format.h>
 

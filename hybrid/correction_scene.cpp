@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "hybrid/correction_scene.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>

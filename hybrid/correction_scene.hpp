@@ -4,7 +4,7 @@
 // creepages, friction and grids, share it and hence the smooth parts.
 #pragma once
 
-#include "contact/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <string>
 

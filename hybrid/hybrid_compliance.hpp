@@ -4,10 +4,10 @@
 #pragma once
 
 #include "contact/iteration/compliance.hpp"
-#include "contact/scene/geometry.hpp"
-#include "contact/scene/scene.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "hybrid/smooth_map.hpp"
+#include "scene/geometry.hpp"
+#include "scene/scene.hpp"
 
 #include <memory>
 #include <optional>

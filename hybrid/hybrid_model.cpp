@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "hybrid/hybrid_model.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/progress.hpp"
-#include "contact/result/quantities.hpp"
+#include "base/errors.hpp"
+#include "base/progress.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "hybrid/hybrid_compliance.hpp"
 #include "hybrid/stresses.hpp"
+#include "result/quantities.hpp"
 
 #include <fmt/format.h>
 

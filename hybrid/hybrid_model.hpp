@@ -4,7 +4,7 @@
 // elements, whose contact grid is as coarse as their cells.
 #pragma once
 
-#include "contact/base/checkpoint.hpp"
+#include "base/checkpoint.hpp"
 #include "contact/solve/model.hpp"
 #include "hybrid/smooth_map.hpp"
 

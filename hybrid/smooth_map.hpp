@@ -5,9 +5,9 @@
 // almost nothing.
 #pragma once
 
-#include "contact/base/grid.hpp"
-#include "contact/result/note.hpp"
+#include "base/grid.hpp"
 #include "halfspace/stress/subsurface.hpp"
+#include "result/note.hpp"
 
 #include <Eigen/Core>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "hybrid/stresses.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/result/stress_extremes.hpp"
-#include "contact/result/stress_measures.hpp"
+#include "base/errors.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface.hpp"
+#include "result/stress_extremes.hpp"
+#include "result/stress_measures.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 // coordinates that follow the surface of the body, plus the smooth correction.
 #pragma once
 
-#include "contact/result/result.hpp"
-#include "contact/scene/below_surface.hpp"
 #include "hybrid/smooth_map.hpp"
+#include "result/result.hpp"
+#include "scene/below_surface.hpp"
 
 #include <string>
 #include <vector>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "meshes/gmsh_sections.hpp"
 
-#include "contact/base/count.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
-#include "contact/base/root.hpp"
+#include "base/count.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
+#include "base/root.hpp"
 #include "meshes/gmsh_session.hpp"
 #include "meshes/grading.hpp"
 

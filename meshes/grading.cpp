@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "meshes/grading.hpp"
 
-#include "contact/base/count.hpp"
+#include "base/count.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "meshes/hex_mesh.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/LU>

@@ -3,7 +3,7 @@
 // and trust the numbers in the mesh.
 #include "meshes/msh_file.hpp"
 
-#include "contact/base/text_fields.hpp"
+#include "base/text_fields.hpp"
 #include "meshes/msh_parts.hpp"
 
 #include <climits>

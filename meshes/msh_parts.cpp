@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "meshes/msh_parts.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/text_fields.hpp"
+#include "base/errors.hpp"
+#include "base/text_fields.hpp"
 
 #include <fmt/format.h>
 

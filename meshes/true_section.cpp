@@ -2,8 +2,8 @@
 // Outlines of true sections in the frame of a patch.
 #include "meshes/true_section.hpp"
 
-#include "contact/base/count.hpp"
-#include "contact/base/errors.hpp"
+#include "base/count.hpp"
+#include "base/errors.hpp"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 // 13674-1: height 172, web 16.5, foot 150 mm) as straight lines, wheels a rim with an inner side.
 #pragma once
 
-#include "contact/scene/patch_geometry.hpp"
 #include "meshes/segment_mesh.hpp"
+#include "scene/patch_geometry.hpp"
 
 #include <array>
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/registry.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/halfspace_models.hpp"
 #include "models/fem/fem_models.hpp"
 #include "models/solving/auto_model.hpp"
@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 using contact::ModelInfo;
 using contact::ModelRegistry;
@@ -116,4 +116,4 @@ std::string models_markdown(const ModelRegistry& models) {
   return text + "\n";
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

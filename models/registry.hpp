@@ -2,13 +2,13 @@
 // The models of the program and their descriptions.
 #pragma once
 
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 #include "contact/solve/model.hpp"
 
 #include <string>
 #include <vector>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 /// All models. A build without finite elements knows fem, but cannot run it.
 contact::ModelRegistry built_in_models();
@@ -36,4 +36,4 @@ bool any_parallel(const contact::ModelRegistry& models, const std::vector<std::s
 /// Text of docs/models.md: every model with its description and its abilities.
 std::string models_markdown(const contact::ModelRegistry& models);
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

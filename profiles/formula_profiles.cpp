@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/formula_profiles.hpp"
 
-#include "contact/base/count.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/scene/height_curve.hpp"
+#include "base/count.hpp"
+#include "base/errors.hpp"
+#include "scene/height_curve.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // Profiles from tangent arcs and from polynomials, as given in a case.
 #pragma once
 
-#include "contact/case/track.hpp"
+#include "case/track.hpp"
 #include "profiles/profile_curve.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Profiles of the instrument MiniProf, old and new.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "profiles/profile_format.hpp"
 
 #include <fmt/format.h>

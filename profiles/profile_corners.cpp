@@ -2,7 +2,7 @@
 // Error messages name the smallest repair that would help.
 #include "profiles/profile_corners.hpp"
 
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 
 #include <fmt/format.h>
 

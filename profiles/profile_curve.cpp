@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/profile_curve.hpp"
 
-#include "contact/base/count.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/knots.hpp"
-#include "contact/base/pi.hpp"
-#include "contact/base/root.hpp"
+#include "base/count.hpp"
+#include "base/errors.hpp"
+#include "base/knots.hpp"
+#include "base/pi.hpp"
+#include "base/root.hpp"
 
 #include <fmt/format.h>
 

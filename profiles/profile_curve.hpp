@@ -5,7 +5,7 @@
 // only where the profile's curvature does.
 #pragma once
 
-#include "contact/scene/height_curve.hpp"
+#include "scene/height_curve.hpp"
 
 #include <optional>
 #include <vector>

@@ -3,7 +3,7 @@
 // semicolon; with semicolons a comma is the decimal mark. Comments are ignored in every format.
 #include "profiles/profile_format.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "profiles/formula_profiles.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 // format; files of no known ending have columns y and z.
 #pragma once
 
-#include "contact/base/text_fields.hpp"
+#include "base/text_fields.hpp"
 #include "profiles/profile_points.hpp"
 
 #include <array>

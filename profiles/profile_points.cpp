@@ -3,8 +3,8 @@
 // order, duplicates, zig-zag, gaps, kinks (profile_corners.cpp). Repairs happen only on request.
 #include "profiles/profile_points.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
 #include "profiles/profile_corners.hpp"
 #include "profiles/profiles.hpp"
 #include "profiles/smoothing_spline.hpp"

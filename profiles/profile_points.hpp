@@ -2,7 +2,7 @@
 // Points of a profile from a file: repairs as the case requests, and checks.
 #pragma once
 
-#include "contact/case/track.hpp"
+#include "case/track.hpp"
 #include "profiles/profile_curve.hpp"
 
 #include <fmt/format.h>

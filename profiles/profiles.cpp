@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/profiles.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/scene/patch_geometry.hpp"
+#include "base/errors.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/profile_format.hpp"
 #include "profiles/profile_points.hpp"
 #include "profiles/section_list.hpp"
+#include "scene/patch_geometry.hpp"
 
 #include <fmt/format.h>
 

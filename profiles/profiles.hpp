@@ -3,8 +3,8 @@
 // checked, and repaired only as the case requests.
 #pragma once
 
-#include "contact/base/errors.hpp"
-#include "contact/case/case.hpp"
+#include "base/errors.hpp"
+#include "case/case.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/smoothing_spline.hpp"
 

@@ -5,10 +5,10 @@
 // beyond the end, e.g. 999, the end.
 #include "profiles/section_list.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/knots.hpp"
-#include "contact/base/pi.hpp"
-#include "contact/base/text_fields.hpp"
+#include "base/errors.hpp"
+#include "base/knots.hpp"
+#include "base/pi.hpp"
+#include "base/text_fields.hpp"
 #include "profiles/profile_corners.hpp"
 #include "profiles/profile_points.hpp"
 #include "profiles/profiles.hpp"

@@ -2,7 +2,7 @@
 // Files that list the sections of a body.
 #pragma once
 
-#include "contact/case/track.hpp"
+#include "case/track.hpp"
 #include "profiles/section_surface.hpp"
 
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/section_surface.hpp"
 
-#include "contact/base/knots.hpp"
+#include "base/knots.hpp"
 
 #include <fmt/format.h>
 

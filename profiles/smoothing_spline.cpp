@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/smoothing_spline.hpp"
 
-#include "contact/base/pi.hpp"
-#include "contact/base/root.hpp"
-#include "contact/base/text_fields.hpp"
+#include "base/pi.hpp"
+#include "base/root.hpp"
+#include "base/text_fields.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Profiles of VAMPIRE: a header, then rows of y, z of the left and y, z of the right side, mm, y
 // from the middle of the track (as CONTACT's matlab/read_vampire.m reads them).
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "profiles/profile_format.hpp"
 
 #include <fmt/format.h>

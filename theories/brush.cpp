@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "theories/brush.hpp"
 
-#include "contact/base/pi.hpp"
-#include "contact/result/derived.hpp"
-#include "contact/scene/geometry.hpp"
+#include "base/pi.hpp"
+#include "result/derived.hpp"
+#include "scene/geometry.hpp"
 #include "theories/elliptic_patch.hpp"
 
 #include <algorithm>

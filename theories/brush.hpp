@@ -4,9 +4,9 @@
 // different bounds (Kalker 1982, Vehicle System Dynamics 11, 1-13).
 #pragma once
 
-#include "contact/result/result.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
+#include "result/result.hpp"
 
 #include <functional>
 #include <optional>

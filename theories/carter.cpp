@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "theories/carter.hpp"
 
-#include "contact/base/pi.hpp"
-#include "contact/result/bars.hpp"
-#include "contact/result/quantities.hpp"
+#include "base/pi.hpp"
+#include "result/bars.hpp"
+#include "result/quantities.hpp"
 #include "theories/brush.hpp"
 
 #include <algorithm>

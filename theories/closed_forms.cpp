@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "theories/closed_forms.hpp"
 
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "theories/brush.hpp"
 #include "theories/elliptic_patch.hpp"

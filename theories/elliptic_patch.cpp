@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "theories/elliptic_patch.hpp"
 
-#include "contact/base/pi.hpp"
-#include "contact/scene/geometry.hpp"
+#include "base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "scene/geometry.hpp"
 #include "theories/theory_models.hpp"
 
 #include <cmath>

@@ -3,11 +3,11 @@
 // of the result record on the case's contact grid, and the loop over load points.
 #pragma once
 
-#include "contact/scene/geometry.hpp"
 #include "contact/solve/model.hpp"
 #include "contact/solve/prescribed_force.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
+#include "scene/geometry.hpp"
 
 #include <functional>
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "theories/equivalent_ellipse.hpp"
 
-#include "contact/base/count.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
+#include "base/count.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
 #include "contact/solve/load_sharing.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"

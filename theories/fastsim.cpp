@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "theories/fastsim.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/iteration/compliance.hpp"
 #include "theories/closed_forms.hpp"
 

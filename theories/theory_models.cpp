@@ -3,11 +3,11 @@
 // half-space.
 #include "theories/theory_models.hpp"
 
-#include "contact/result/bars.hpp"
-#include "contact/result/derived.hpp"
-#include "contact/result/quantities.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "result/bars.hpp"
+#include "result/derived.hpp"
+#include "result/quantities.hpp"
 #include "theories/carter.hpp"
 #include "theories/closed_forms.hpp"
 #include "theories/elliptic_patch.hpp"

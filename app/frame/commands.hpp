@@ -3,8 +3,8 @@
 // here is what calls and options of several commands have in common.
 #pragma once
 
-#include "contact/base/threads.hpp"
-#include "contact/case/case.hpp"
+#include "base/threads.hpp"
+#include "case/case.hpp"
 #include "contact/solve/model.hpp"
 
 #include <CLI/CLI.hpp>

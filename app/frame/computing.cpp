@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/frame/computing.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/case/checks/plausibility.hpp"
+#include "base/errors.hpp"
+#include "case/checks/plausibility.hpp"
 #include "models/frame/parts.hpp"
 #include "profiles/profiles.hpp"
 
@@ -22,9 +22,9 @@ void add_report_flags(CLI::App& command, ComputingRequest& request) {
       "write results only, no figures and no report");
 }
 
-void add_division(CLI::App& command, contact::Share& share, int& merge, const std::string& items) {
+void add_division(CLI::App& command, contact::OwnPart& own, int& merge, const std::string& items) {
   command.add_option_function<std::string>(
-      "--part", [&share](const std::string& text) { share = modelling::parse_part(text); },
+      "--part", [&own](const std::string& text) { own = models::parse_part(text); },
       "K/N: compute part K of N of the " + items +
           " and store it beside FOLDER; calls for other parts may run at the same time, on any "
           "machine that shares the folder");

@@ -10,10 +10,10 @@
 
 namespace rollfem::app {
 
-using modelling::CommandFrame;
+using models::CommandFrame;
 
 /// Common part of the requests of run and table.
-struct ComputingRequest : CaseRequest, modelling::Computing {
+struct ComputingRequest : CaseRequest, models::Computing {
   explicit ComputingRequest(Call& made_by)
       : CaseRequest(made_by), Computing{made_by.models, made_by.command, made_by.argc, made_by.argv,
                                         false,          false,           {},           0} {}
@@ -24,7 +24,7 @@ struct ComputingRequest : CaseRequest, modelling::Computing {
 void add_report_flags(CLI::App& command, ComputingRequest& request);
 
 /// Adds the options that divide long work among calls (array jobs, machines).
-void add_division(CLI::App& command, contact::Share& share, int& merge, const std::string& items);
+void add_division(CLI::App& command, contact::OwnPart& own, int& merge, const std::string& items);
 
 /// Warns of values in the case that look like unit mistakes, even with -q.
 void warn_of_doubts(const contact::Case& input);

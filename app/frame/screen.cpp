@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/frame/screen.hpp"
 
-#include "contact/base/text_fields.hpp"
+#include "base/text_fields.hpp"
 #include "models/program/provenance.hpp"
 
 #include <nlohmann/json.hpp>
@@ -43,7 +43,7 @@ void print_result(const std::string& json) {
 Json result_head(const std::string& kind) {
   return {{"format", 1},
           {"kind", kind},
-          {"program", {{"version", modelling::version()}, {"commit", modelling::commit()}}}};
+          {"program", {{"version", models::version()}, {"commit", models::commit()}}}};
 }
 
 Json columns_of(const std::string& csv) {

@@ -2,16 +2,16 @@
 // The commands `check`, how a case is read and which models take it, and `new-case`.
 #include "app/frame/commands.hpp"
 #include "app/frame/screen.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
-#include "contact/case/checks/plausibility.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/errors.hpp"
+#include "case/checks/plausibility.hpp"
+#include "case/reading/case_reader.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/case_scenes.hpp"
-#include "postprocess/files/files_together.hpp"
-#include "postprocess/write/json_head.hpp"
 #include "profiles/profiles.hpp"
+#include "result/files/files_together.hpp"
+#include "result/write/json_head.hpp"
+#include "scene/scene.hpp"
 #include "theories/theory_models.hpp"
 
 #include <fmt/format.h>
@@ -51,15 +51,15 @@ std::string taken_by(const Scenes& scenes, const contact::ModelRegistry& models)
 /// refuses before it solves anything.
 std::vector<std::string> refusals_of(const contact::Case& input,
                                      const contact::ModelRegistry& models,
-                                     const modelling::Placed& placed, Scenes& scenes) {
+                                     const models::Placed& placed, Scenes& scenes) {
   std::vector<std::string> refusals;
   const auto try_to = [&](const std::function<void()>& step) {
     const auto done = contact::attempt([&] { return step(), true; });
     if (!done) refusals.push_back(done.why);
   };
-  try_to([&] { modelling::check_alone(models, input.models, input.file + ": models"); });
+  try_to([&] { models::check_alone(models, input.models, input.file + ": models"); });
   try_to([&] {
-    scenes = modelling::unbalanced_scenes(input, placed ? placed : modelling::placed_wheels(input));
+    scenes = models::unbalanced_scenes(input, placed ? placed : models::placed_wheels(input));
   });
   for (const std::string& name : input.models)
     try_to([&] {
@@ -102,13 +102,13 @@ Json case_json(const contact::Case& input, const std::vector<std::string>& warni
                const Scenes& scenes, const contact::ModelRegistry& models) {
   Json json = result_head("check");
   json["case_file"] = input.file;
-  json["keys"] = postprocess::json_of(postprocess::keys_tree(input), true);
+  json["keys"] = result::json_of(result::keys_tree(input), true);
   json["warnings"] = warnings;
   for (const contact::ModelInfo& model : models.all())
     if (!scenes.empty()) json["cannot"][model.name] = reason_against(model, scenes);
   json["contacts"] = Json::array();
   for (const contact::Scene& scene : scenes)
-    if (scene.place) json["contacts"].push_back({{"place", postprocess::place_json(*scene.place)}});
+    if (scene.place) json["contacts"].push_back({{"place", result::place_json(*scene.place)}});
   return json;
 }
 
@@ -121,14 +121,14 @@ struct CheckRequest : CaseRequest {
 void check_case(const CheckRequest& request) {
   const contact::ModelRegistry& models = request.call.models;
   const contact::Case input = request.read();
-  std::cout << contact::describe(input, modelling::model_words(models))
+  std::cout << contact::describe(input, models::model_words(models))
             << contact::derived_values(input);
   std::vector<std::string> warnings = warnings_of(input);
-  modelling::Placed placed;
+  models::Placed placed;
   if (input.has_profiles() && !request.json) {
-    placed = modelling::placed_wheels(input);
+    placed = models::placed_wheels(input);
     std::cout << "\nwhere wheel and rail touch\n"
-              << modelling::contacts_text(input, placed->search) << '\n';
+              << models::contacts_text(input, placed->search) << '\n';
   }
   Scenes scenes;
   for (std::string& refusal : refusals_of(input, models, placed, scenes))
@@ -143,13 +143,13 @@ void check_case(const CheckRequest& request) {
 
 void new_case(const std::string& file, const contact::ModelRegistry& models) {
   if (file.empty()) {
-    std::cout << contact::case_template(modelling::model_words(models));
+    std::cout << contact::case_template(models::model_words(models));
     return;
   }
   if (std::filesystem::exists(file))
     throw contact::InputError(
         fmt::format("new-case: {} already exists; do: name another file", file));
-  postprocess::write_file(file, contact::case_template(modelling::model_words(models)));
+  result::write_file(file, contact::case_template(models::model_words(models)));
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `convert`: case files from a CONTACT input file.
 #include "app/frame/commands.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/text_fields.hpp"
-#include "contact/case/case_reader.hpp"
+#include "base/errors.hpp"
+#include "base/text_fields.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "models/registry.hpp"
 #include "models/solving/case_scenes.hpp"
-#include "postprocess/files/files_together.hpp"
 #include "profiles/profiles.hpp"
+#include "result/files/files_together.hpp"
 
 #include <fmt/format.h>
 
@@ -55,7 +55,7 @@ class Written {
           fmt::format("convert: {} exists already; do: remove it or name another folder with -o",
                       path.string()));
     paths_.push_back(path);
-    postprocess::write_file(path, text);
+    result::write_file(path, text);
   }
 
   void remove(const fs::path& path) const {
@@ -69,7 +69,7 @@ class Written {
 
  private:
   fs::path directory_;
-  postprocess::MadeFolders folders_;
+  result::MadeFolders folders_;
   bool kept_ = false;
   std::vector<fs::path> paths_;
 };
@@ -102,11 +102,11 @@ void add(Refused& refused, const std::vector<std::string>& reasons, const std::v
 using Cells = std::array<double, 2>;
 
 /// The cells of the case, halved until the patches of all wheels have elements enough.
-Cells fine_cells(const contact::Case& input, const modelling::Placed& placed) {
+Cells fine_cells(const contact::Case& input, const models::Placed& placed) {
   // A result needs four; the box of a patch may be a little wider than its elements.
   constexpr double fewest = 5.0, most_halvings = 4;
   Cells cells = *input.contact_grid.cell_size;
-  for (const contact::Scene& scene : modelling::scenes_of(input, placed).list) {
+  for (const contact::Scene& scene : models::scenes_of(input, placed).list) {
     const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
     for (int halving = 0; halving < most_halvings; ++halving) {
       if (extent.length < fewest * cells[0]) cells[0] *= 0.5;
@@ -128,9 +128,9 @@ struct Verdict {
 Verdict checked(const fs::path& path, const contact::ModelRegistry& models) {
   Verdict verdict;
   try {
-    const contact::Case input = contact::read_case(path.string(), modelling::model_words(models));
+    const contact::Case input = contact::read_case(path.string(), models::model_words(models));
     if (!input.has_profiles()) return verdict;
-    const modelling::Placed placed = modelling::placed_wheels(input);
+    const models::Placed placed = models::placed_wheels(input);
     try {
       verdict.cells = fine_cells(input, placed);
       if (verdict.cells == input.contact_grid.cell_size) verdict.cells.reset();

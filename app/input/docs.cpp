@@ -2,11 +2,11 @@
 // The command `docs`: pages, shell completion and the manual page, generated from the declarations
 // of keys, models, quantities and options.
 #include "app/frame/commands.hpp"
-#include "contact/case/case_reader.hpp"
-#include "contact/result/quantities.hpp"
+#include "case/reading/case_reader.hpp"
 #include "models/program/provenance.hpp"
 #include "models/registry.hpp"
-#include "postprocess/write/case_schema.hpp"
+#include "result/quantities.hpp"
+#include "result/write/case_schema.hpp"
 
 #include <fmt/format.h>
 
@@ -162,11 +162,11 @@ std::string page_text(const std::string& page, const CLI::App& program,
                       const contact::ModelRegistry& models) {
   if (page == "bash") return bash_completion(program, models);
   if (page == "zsh") return zsh_completion(program, models);
-  if (page == "man") return manual_page(program, modelling::version());
-  if (page == "schema") return postprocess::case_schema(modelling::model_words(models));
-  if (page == "models") return modelling::models_markdown(models);
+  if (page == "man") return manual_page(program, models::version());
+  if (page == "schema") return result::case_schema(models::model_words(models));
+  if (page == "models") return models::models_markdown(models);
   if (page == "quantities") return contact::quantities_markdown();
-  return contact::case_reference_markdown(modelling::model_words(models));
+  return contact::case_reference_markdown(models::model_words(models));
 }
 
 }  // namespace

@@ -2,14 +2,14 @@
 // The command `mesh`: the meshes of wheel and rail as files and a table of their quality; nothing
 // is solved.
 #include "app/frame/commands.hpp"
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/elasticity/mesh_report.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/fem/fem_models.hpp"
 #include "models/program/provenance.hpp"
 #include "models/solving/case_scenes.hpp"
-#include "postprocess/files/files_together.hpp"
-#include "postprocess/write/vtu.hpp"
+#include "result/files/files_together.hpp"
+#include "result/write/vtu.hpp"
 
 #include <fmt/format.h>
 
@@ -68,14 +68,14 @@ std::string table(const std::vector<MeshedBody>& bodies) {
 void mesh(const CaseRequest& request) {
   const contact::Case input = request.read();
   const std::vector<contact::Scene> scenes =
-      modelling::scenes_of(input, modelling::placed_wheels(input)).list;
+      models::scenes_of(input, models::placed_wheels(input)).list;
   for (const contact::Scene& scene : scenes)
-    request.call.models.check(scene, modelling::fem_model().name);
+    request.call.models.check(scene, models::fem_model().name);
   const fs::path folder = request.folder("_mesh");
   spare_input(input, folder);
 
   const fem::Entry& entry =
-      modelling::parallel_session("mesh", request.call.argc, request.call.argv).entry;
+      models::parallel_session("mesh", request.call.argc, request.call.argv).entry;
   std::vector<MeshedBody> bodies;
   for (const contact::Scene& scene : scenes)
     for (MeshedBody& body : entry.mesh(scene)) {
@@ -83,11 +83,11 @@ void mesh(const CaseRequest& request) {
       if (scene.place) body.name = scene.place->key() + '_' + body.name;
       bodies.push_back(std::move(body));
     }
-  if (modelling::processes().first()) {
-    postprocess::FilesTogether files(folder);
+  if (models::processes().first()) {
+    result::FilesTogether files(folder);
     for (const MeshedBody& body : bodies) {
       files.write(body.name + ".msh", body.msh);
-      files.write(body.name + ".vtu", postprocess::BodyVtu(body.refined).text());
+      files.write(body.name + ".vtu", result::BodyVtu(body.refined).text());
     }
     files.commit();
     std::cout << input.title << "\n\n"

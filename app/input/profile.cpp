@@ -4,15 +4,15 @@
 #include "app/frame/commands.hpp"
 #include "app/frame/screen.hpp"
 #include "app/input/section_family.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/text_fields.hpp"
-#include "contact/case/case_reader.hpp"
+#include "base/errors.hpp"
+#include "base/text_fields.hpp"
+#include "case/reading/case_reader.hpp"
 #include "models/solving/case_scenes.hpp"
-#include "postprocess/files/result_folder.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/profile_format.hpp"
 #include "profiles/profiles.hpp"
+#include "result/files/result_folder.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -234,10 +234,10 @@ void print(const std::vector<NamedProfile>& profiles) {
 void tell_pair(const contact::Case& input, const fs::path& folder, Call& call) {
   if (!input.has_profiles()) return;
   const track::SearchScene search = track::search_scene_of(input);
-  std::cout << "where wheel and rail touch\n" << modelling::contacts_text(input, search);
-  for (const auto& [name, table] : modelling::pair_tables(input, search)) {
+  std::cout << "where wheel and rail touch\n" << models::contacts_text(input, search);
+  for (const auto& [name, table] : models::pair_tables(input, search)) {
     const fs::path file = folder / (name + ".csv");
-    postprocess::replace_file(file, table);
+    result::replace_file(file, table);
     draw_and_tell(call, file);
   }
 }
@@ -257,7 +257,7 @@ void sections(const ProfileRequest& request, const contact::ProfileSource& sourc
     if (request.directory.empty()) return;
   }
   const fs::path file = folder_for(request) / "sections.csv";
-  postprocess::replace_file(file, rows);
+  result::replace_file(file, rows);
   std::cout << sections_text(family, title, wheel);
   draw_and_tell(call, file);
 }
@@ -279,7 +279,7 @@ void profile(const ProfileRequest& request, Call& call) {
       throw contact::InputError(fmt::format(
           "profile: {} is the input and would be overwritten; do: name another folder with -o",
           file.string()));
-    postprocess::replace_file(file, table(profile));
+    result::replace_file(file, table(profile));
     std::cout << described(profile) << list(profile.curve);
     draw_and_tell(call, file);
   }

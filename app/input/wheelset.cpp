@@ -5,11 +5,11 @@
 
 #include "app/frame/computing.hpp"
 #include "app/frame/screen.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
-#include "postprocess/files/files_together.hpp"
-#include "postprocess/write/csv.hpp"
-#include "postprocess/write/output.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
+#include "result/files/files_together.hpp"
+#include "result/write/csv.hpp"
+#include "result/write/output.hpp"
 #include "track/motion/placed_scenes.hpp"
 #include "track/motion/rigid_touch.hpp"
 
@@ -40,7 +40,7 @@ std::string value_or(const std::optional<double>& value, const char* format, con
   return value ? fmt::format(fmt::runtime(format), *value) : none;
 }
 
-using postprocess::RigidWheelset;
+using result::RigidWheelset;
 
 std::string table_of(const std::vector<RigidWheelset>& rows) {
   std::string text =
@@ -60,7 +60,7 @@ std::string table_of(const std::vector<RigidWheelset>& rows) {
 
 }  // namespace
 
-void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord& record) {
+void add_rigid_wheelset(const track::SearchScene& search, result::RunRecord& record) {
   const contact::Case& input = record.input;
   const std::vector<double>& shifts = input.wheelset.lateral_shift;
   if (input.wheelset.positions() < 2 || input.wheelset.on_rail) return;
@@ -106,7 +106,7 @@ void print(const contact::Case& input, const std::vector<RigidWheelset>& rows) {
   json["title"] = input.title;
   json["contact_distance"] = track::contact_distance(input.track);
   json["rolling_radius"] = input.wheel.rolling_radius;
-  json.update(columns_of(postprocess::rigid_wheelset_csv(rows)));
+  json.update(columns_of(result::rigid_wheelset_csv(rows)));
   print_result(json.dump(1));
 }
 
@@ -133,7 +133,7 @@ void wheelset(const WheelsetRequest& request) {
   if (request.json) print(input, rows);
   if (request.json && request.directory.empty()) return;
   const fs::path folder = request.folder("_wheelset");
-  postprocess::replace_file(folder / "wheelset.csv", postprocess::rigid_wheelset_csv(rows));
+  result::replace_file(folder / "wheelset.csv", result::rigid_wheelset_csv(rows));
   tell(request, input, rows);
   std::cout << '\n';
   draw_and_tell(request.call, folder / "wheelset.csv");

@@ -2,12 +2,12 @@
 // The commands `study`, `compare`, `bench` and `stress`, which the Python package carries out
 // (postprocess/rollfem/commands): here are their options, for help, manual page and completion.
 #include "app/frame/computing.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "models/frame/waiting.hpp"
 #include "models/program/provenance.hpp"
 #include "models/registry.hpp"
-#include "postprocess/write/output.hpp"
+#include "result/write/output.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -29,7 +29,7 @@ struct Handed {
   std::map<std::string, int> number;
   std::map<std::string, double> value;
   std::map<std::string, bool> flag;
-  contact::Share share;
+  contact::OwnPart own;
 };
 
 /// {"model": ["hertz", "halfspace"], "quiet": ["true"], ...}: the options that the call has.
@@ -43,7 +43,7 @@ std::string given_of(const CLI::App& command, const Call& call) {
 
 /// The package has the built-in models only.
 void refuse_own_models(const CLI::App& command, const contact::ModelRegistry& models) {
-  const contact::ModelRegistry known = modelling::built_in_models();
+  const contact::ModelRegistry known = models::built_in_models();
   for (const std::string& name : models.names())
     if (known.find(name) == nullptr)
       throw contact::InputError(
@@ -57,13 +57,12 @@ void refuse_own_models(const CLI::App& command, const contact::ModelRegistry& mo
 [[noreturn]] void hand_over(const CLI::App& command, const Call& call) {
   // Before numpy starts a thread a core.
   ::setenv("OPENBLAS_NUM_THREADS", "1", 0);
-  if (modelling::processes().count > 1)
-    ::setenv("LD_PRELOAD", modelling::library_that_waits().c_str(), 0);
+  if (models::processes().count > 1)
+    ::setenv("LD_PRELOAD", models::library_that_waits().c_str(), 0);
   std::cout.flush();
-  throw contact::InputError(
-      command.get_name() + ": " +
-      postprocess::become_package({command.get_name(), given_of(command, call)},
-                                  modelling::script_directory().string()));
+  throw contact::InputError(command.get_name() + ": " +
+                            result::become_package({command.get_name(), given_of(command, call)},
+                                                   models::script_directory().string()));
 }
 
 /// Ends the declaration of a command: the last options, and what it does.
@@ -151,7 +150,7 @@ void add_study(CLI::App& program, Call& call) {
   add_folder(*study, *handed,
              "folder for the study (default: results/<name of the case file>_study)",
              "continue an interrupted study from the levels kept in FOLDER.unfinished");
-  add_division(*study, handed->share, handed->number["merge"], "levels");
+  add_division(*study, handed->own, handed->number["merge"], "levels");
   finish(*study, call, handed);
   study->footer(footer_with_models("rollfem study cases/thesis_a.toml --models all", call.models));
 }

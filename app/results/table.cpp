@@ -3,7 +3,7 @@
 // ratios, or over lateral shifts of its wheelset, with error bars and interpolation errors.
 #include "app/frame/computing.hpp"
 #include "models/frame/parts.hpp"
-#include "postprocess/files/result_folder.hpp"
+#include "result/files/result_folder.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"
 #include "tables/filling/table_grid.hpp"
@@ -119,7 +119,7 @@ void write_and_tell(const ComputingRequest& request, const CreepTable& table, do
                                            {"table.csv", tables::table_csv(table)},
                                            {"interpolation.csv", tables::interpolation_csv(table)}};
   if (table.over_shifts()) files["shifts.csv"] = tables::shifts_csv(table);
-  postprocess::write_together(directory, files);
+  result::write_together(directory, files);
   const bool drawn = report_drawn(request, directory);
   if (request.quiet) return;
   std::cout << summary_of(table, seconds);
@@ -130,21 +130,21 @@ void table_at_once(const ComputingRequest& request) {
   const contact::Case input = request.read();
   CommandFrame frame(request, {});
   if (frame.idle()) return;
-  modelling::refuse_other_result(directory_of(request), "table.h5");
+  models::refuse_other_result(directory_of(request), "table.h5");
   warn_of_doubts(input);
   if (const std::string ignored = tables::ignored_keys(input); !ignored.empty())
     frame.say("note: " + ignored);
   tables::CreepTable made = tables::empty_table(input);
-  const postprocess::Provenance provenance = frame.provenance();
+  const result::Provenance provenance = frame.provenance();
   made.program = fmt::format("rollfem {} ({})", provenance.version, provenance.commit);
   made.command = provenance.command;
   made.started = provenance.started;
-  postprocess::check_directory(directory_of(request).string());
+  result::check_directory(directory_of(request).string());
   frame.own(directory_of(request));
   const auto begin = std::chrono::steady_clock::now();
-  frame.compute("table", "points", [&](const modelling::Solving& how) {
+  frame.compute("table", "points", [&](const models::Solving& how) {
     tables::fill_table(made, input, how.progress, frame.keep_in(directory_of(request), input),
-                       request.share);
+                       request.own);
     frame.clear_line();
     if (frame.ends_part()) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
@@ -154,8 +154,8 @@ void table_at_once(const ComputingRequest& request) {
 }
 
 void table(ComputingRequest& request) {
-  modelling::check_division(request, 2, "");  // a table has many points
-  modelling::in_parts(request, true, directory_of(request), [&] { table_at_once(request); });
+  models::check_division(request, 2, "");  // a table has many points
+  models::in_parts(request, true, directory_of(request), [&] { table_at_once(request); });
 }
 
 }  // namespace
@@ -175,7 +175,7 @@ void add_table(CLI::App& program, Call& call) {
                     "folder for the table (default: results/<name of the case file>_table)");
   table->add_flag("--resume", request->resume,
                   "resume an interrupted table from the points kept in FOLDER.unfinished");
-  add_division(*table, request->share, request->merge, "points");
+  add_division(*table, request->own, request->merge, "points");
   add_report_flags(*table, *request);
   table->footer(
       "examples: rollfem table cases/thesis_a.toml --set table.points=[10,10,11]\n"

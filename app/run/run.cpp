@@ -3,15 +3,15 @@
 #include "app/frame/computing.hpp"
 #include "app/input/wheelset.hpp"
 #include "app/run/run_table.hpp"
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "models/frame/parts.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "models/solving/solving.hpp"
-#include "postprocess/files/result_folder.hpp"
-#include "postprocess/write/output.hpp"
-#include "postprocess/write/wheelset_rows.hpp"
+#include "result/files/result_folder.hpp"
+#include "result/write/output.hpp"
+#include "result/write/wheelset_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -40,28 +40,27 @@ struct RunRequest : ComputingRequest {
 /// Checks for problems that would otherwise appear only after hours of computing: a folder that
 /// cannot be created, a model that cannot take the case.
 void check_before(const RunRequest& request, const contact::Case& input,
-                  const modelling::Placed& placed) {
-  postprocess::check_directory(request.folder().string());
-  for (const contact::Scene& scene : modelling::unbalanced_scenes(input, placed))
+                  const models::Placed& placed) {
+  result::check_directory(request.folder().string());
+  for (const contact::Scene& scene : models::unbalanced_scenes(input, placed))
     for (const std::string& name : input.models) request.call.models.check(scene, name);
 }
 
 /// The model shown for each position: the one with most patches, because not every theory can take
 /// all of them; among equals the reference model.
-std::string model_to_tell(const postprocess::RunRecord& record,
-                          const contact::ModelRegistry& models) {
+std::string model_to_tell(const result::RunRecord& record, const contact::ModelRegistry& models) {
   const auto patches = [&](const std::string& name) {
     return std::count_if(record.models.begin(), record.models.end(),
                          [&](const contact::ModelResult& model) { return model.name == name; });
   };
   std::string most = models.reference().name;
-  for (const std::string& name : postprocess::model_names(record))
+  for (const std::string& name : result::model_names(record))
     if (patches(name) > patches(most)) most = name;
   return most;
 }
 
 /// Tells early that `rollfem stress` will lack data.
-void tell_what_is_not_stored(const postprocess::RunRecord& record,
+void tell_what_is_not_stored(const result::RunRecord& record,
                              const contact::ModelRegistry& models) {
   const auto keeps = [&](const contact::ModelResult& model) {
     return models.at(model.name).keeps_bodies && model.points_with_bodies().empty();
@@ -74,16 +73,16 @@ void tell_what_is_not_stored(const postprocess::RunRecord& record,
       found->label);
 }
 
-void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record) {
+void write_and_tell(const RunRequest& request, const result::RunRecord& record) {
   const contact::ModelRegistry& models = request.call.models;
   const fs::path directory = request.folder();
-  modelling::store_results(directory.string(), record);
+  models::store_results(directory.string(), record);
   // A wheel above its rail leaves nothing to draw.
   const bool drawn = !record.models.empty() && report_drawn(request, directory);
   if (request.quiet) return;
   std::cout << record.input.title << "\n\n"
             << run_table(record.models)
-            << postprocess::wheelset_table(record, model_to_tell(record, models));
+            << result::wheelset_table(record, model_to_tell(record, models));
   std::cout << '\n' << notes_text(record.models, contact::Note::remark);
   tell_where(directory, "report.html", drawn);
   tell_what_is_not_stored(record, models);
@@ -92,7 +91,7 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
 }
 
 /// Throws if sound results miss the requested accuracy: they are written, but the run fails.
-void refuse_shortfall(const postprocess::RunRecord& record) {
+void refuse_shortfall(const result::RunRecord& record) {
   std::vector<const contact::ModelResult*> missed;
   for (const contact::ModelResult& model : record.models)
     if (!model.shortfall.empty()) missed.push_back(&model);
@@ -105,22 +104,22 @@ void refuse_shortfall(const postprocess::RunRecord& record) {
 }
 
 void run_at_once(const RunRequest& request) {
-  postprocess::RunRecord record;
+  result::RunRecord record;
   record.input = request.read();
   const std::string asked_by = request.models.empty() ? request.case_file + ": models" : "--model";
-  modelling::check_alone(request.call.models, record.input.models, asked_by);
+  models::check_alone(request.call.models, record.input.models, asked_by);
   CommandFrame frame(request, record.input.models);
   if (frame.idle()) return;
   if (frame.first()) warn_of_doubts(record.input);
-  const modelling::Placed placed = modelling::placed_wheels(record.input);
+  const models::Placed placed = models::placed_wheels(record.input);
   if (frame.first()) check_before(request, record.input, placed);
   frame.own(request.folder());
   record.provenance = frame.provenance();
-  frame.compute(asked_by, "load points", [&](modelling::Solving how) {
+  frame.compute(asked_by, "load points", [&](models::Solving how) {
     how.checkpoint = frame.keep_in(request.folder(), record.input);
-    how.share = request.share;
+    how.own = request.own;
     how.placed = placed;
-    modelling::solve(record, how);
+    models::solve(record, how);
     if (!how.first || frame.ends_part()) return;
     if (placed) add_rigid_wheelset(placed->search, record);
     frame.clear_line();
@@ -140,12 +139,12 @@ void run(RunRequest& request) {
   }
   if (request.case_file.empty())
     throw contact::InputError("run: no case file is named; do: rollfem run CASE.toml");
-  request.models = modelling::checked_names(models, request.models, "--model");
+  request.models = models::checked_names(models, request.models, "--model");
   const contact::Case input = request.read();
   const std::size_t positions = input.has_profiles() ? input.wheelset.positions() : 1;
-  modelling::check_division(request, positions, "position of the wheelset");
-  const bool divisible = positions > 1 && !modelling::any_parallel(models, input.models);
-  modelling::in_parts(request, divisible, request.folder(), [&] { run_at_once(request); });
+  models::check_division(request, positions, "position of the wheelset");
+  const bool divisible = positions > 1 && !models::any_parallel(models, input.models);
+  models::in_parts(request, divisible, request.folder(), [&] { run_at_once(request); });
 }
 
 }  // namespace
@@ -161,7 +160,7 @@ void add_run(CLI::App& program, Call& call) {
                   "folder for the results (default: results/<name of the case file>)");
   run->add_flag("--resume", request->resume,
                 "continue an interrupted run from the load points kept in FOLDER.unfinished");
-  add_division(*run, request->share, request->merge, "positions of a wheelset");
+  add_division(*run, request->own, request->merge, "positions of a wheelset");
   add_report_flags(*run, *request);
   run->footer(footer_with_models("rollfem run cases/thesis_a.toml --model halfspace -o /tmp/case_a",
                                  call.models));

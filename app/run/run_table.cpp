@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/run/run_table.hpp"
 
-#include "contact/result/bars.hpp"
-#include "contact/result/derived.hpp"
-#include "contact/result/quantities.hpp"
+#include "result/bars.hpp"
+#include "result/derived.hpp"
+#include "result/quantities.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // The short table that `run` prints: patch and pressure of every model, and the creep curves.
 #pragma once
 
-#include "contact/result/result.hpp"
+#include "result/result.hpp"
 
 #include <string>
 #include <vector>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Implements rollfem.h: structures and units of the caller, exceptions as status and text.
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "bindings/capi/guarded.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
-#include "contact/case/case.hpp"
-#include "contact/case/case_reader.hpp"
+#include "case/case.hpp"
+#include "case/reading/case_reader.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/files/table_reader.hpp"
 #include "track/pair/wheel_rail_pair.hpp"

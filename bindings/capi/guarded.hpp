@@ -2,7 +2,7 @@
 // Structures of a C program, its units, and exceptions as a status and a text for it.
 #pragma once
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include <fmt/format.h>
 

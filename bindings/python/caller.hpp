@@ -3,8 +3,8 @@
 // a Python function, whose exceptions end the call.
 #pragma once
 
+#include "base/threads.hpp"
 #include "bindings/python/bindings.hpp"
-#include "contact/base/threads.hpp"
 
 #include <atomic>
 #include <optional>

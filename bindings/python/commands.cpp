@@ -2,8 +2,8 @@
 // Writing and drawing.
 #include "bindings/python/caller.hpp"
 #include "models/registry.hpp"
-#include "postprocess/files/files_together.hpp"
-#include "postprocess/write/output.hpp"
+#include "result/files/files_together.hpp"
+#include "result/write/output.hpp"
 
 #include <map>
 #include <pybind11/stl.h>
@@ -14,19 +14,19 @@ namespace {
 
 /// Files of one folder, whole or not at all; those of other commands stay.
 void write_files(const std::string& folder, const std::map<std::string, std::string>& contents) {
-  postprocess::write_together(folder, contents);
+  result::write_together(folder, contents);
 }
 
 /// Figures and page of what rollfem has written; why they were not drawn, empty where they were.
 std::string draw(const std::string& path) {
   const FreeGil free;
-  return postprocess::make_report(path, figures_directory());
+  return result::make_report(path, figures_directory());
 }
 
 }  // namespace
 
 const contact::ModelRegistry& known_models() {
-  static const contact::ModelRegistry models = modelling::built_in_models();
+  static const contact::ModelRegistry models = models::built_in_models();
   return models;
 }
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How the package solves the cases of a comparison and the levels of a study: from Python with a
 // callback, from the command line with the frame of the computing commands.
+#include "base/checkpoint.hpp"
+#include "base/errors.hpp"
+#include "base/progress.hpp"
 #include "bindings/python/caller.hpp"
-#include "contact/base/checkpoint.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/progress.hpp"
-#include "contact/result/quantities.hpp"
-#include "contact/result/record.hpp"
 #include "models/caches/correction_cache.hpp"
 #include "models/frame/command_frame.hpp"
 #include "models/frame/interruption.hpp"
@@ -14,7 +12,9 @@
 #include "models/frame/ready.hpp"
 #include "models/program/provenance.hpp"
 #include "models/solving/case_scenes.hpp"
-#include "postprocess/files/files_together.hpp"
+#include "result/files/files_together.hpp"
+#include "result/quantities.hpp"
+#include "result/record.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +27,7 @@ namespace rollfem::python {
 
 using namespace py::literals;
 using contact::Scene;
-using modelling::Solving;
+using models::Solving;
 
 namespace {
 
@@ -72,7 +72,7 @@ class Computation {
   Computation(std::vector<std::string> models, py::object callback)
       : models_(std::move(models)), callback_(std::move(callback)) {}
   /// From the command line.
-  Computation(std::vector<std::string> models, modelling::Computing& asked)
+  Computation(std::vector<std::string> models, models::Computing& asked)
       : models_(std::move(models)), asked_(&asked) {
     frame_.emplace(asked, models_);
   }
@@ -80,13 +80,13 @@ class Computation {
   /// Calls `body` while MPI runs if a model needs it, and tells of stored work if it fails.
   void compute(const std::string& asked_by, const std::string& kept, const py::function& body) {
     if (!frame_) {
-      modelling::check_built(known_models(), models_, asked_by);
+      models::check_built(known_models(), models_, asked_by);
       body();
       return;
     }
     frame_->compute(asked_by, kept, [&](const Solving& how) {
       how_ = how;
-      how_.share = asked_->share;
+      how_.own = asked_->own;
       body();
     });
   }
@@ -99,7 +99,7 @@ class Computation {
     result->provenance = provenance("rollfem::solve");
     const std::vector<Missing> missing = working([&](Solving how) {
       how.go_on = true;
-      return modelling::solve(*result, how);
+      return models::solve(*result, how);
     });
     py::list without;
     for (const Missing& one : missing)
@@ -107,9 +107,9 @@ class Computation {
     return py::make_tuple(result, without);
   }
 
-  modelling::Scenes scenes(const Case& input) {
+  models::Scenes scenes(const Case& input) {
     return working([&](const Solving& how) {
-      return modelling::scenes_of(input, modelling::placed_wheels(input), how.progress);
+      return models::scenes_of(input, models::placed_wheels(input), how.progress);
     });
   }
 
@@ -158,8 +158,8 @@ class Computation {
   bool first() const { return !frame_ || frame_->first(); }
   bool idle() const { return frame_ && frame_->idle(); }
   bool together() const { return !frame_ || how_.together; }
-  bool whole() const { return asked_ == nullptr || asked_->share.whole(); }
-  bool holds(std::size_t k) const { return asked_ == nullptr || asked_->share.holds(k); }
+  bool whole() const { return asked_ == nullptr || asked_->own.whole(); }
+  bool holds(std::size_t k) const { return asked_ == nullptr || asked_->own.holds(k); }
   bool ends_part() { return frame_ && frame_->ends_part(); }
   void say(const std::string& line) {
     if (frame_) frame_->say(line);
@@ -171,8 +171,8 @@ class Computation {
     if (frame_) frame_->own(folder);
   }
 
-  postprocess::Provenance provenance(const std::string& command) const {
-    return frame_ ? frame_->provenance() : modelling::provenance_of(known_models(), command);
+  result::Provenance provenance(const std::string& command) const {
+    return frame_ ? frame_->provenance() : models::provenance_of(known_models(), command);
   }
 
  private:
@@ -181,7 +181,7 @@ class Computation {
   auto working(const Work& work) -> decltype(work(std::declval<const Solving&>())) {
     return without_gil(frame_ ? py::none() : callback_, [&](const Progress& progress) {
       if (!frame_) {
-        const modelling::Ready ready = modelling::ready_for(known_models(), models_, progress);
+        const models::Ready ready = models::ready_for(known_models(), models_, progress);
         return work(ready.how);
       }
       Solving how = how_;
@@ -204,7 +204,7 @@ class Computation {
     };
     auto result = std::make_shared<Result>();
     try {
-      result->models = {modelling::solve_scene(level.model, level.scene, notes, how)};
+      result->models = {models::solve_scene(level.model, level.scene, notes, how)};
     } catch (const contact::Failure& error) {
       // Other processes may be inside a collective call.
       if (!all.together) throw;
@@ -216,14 +216,14 @@ class Computation {
 
   std::vector<std::string> models_;
   py::object callback_ = py::none();
-  modelling::Computing* asked_ = nullptr;
-  std::optional<modelling::CommandFrame> frame_;
+  models::Computing* asked_ = nullptr;
+  std::optional<models::CommandFrame> frame_;
   Solving how_;
-  postprocess::CheckpointFolder* kept_ = nullptr;
+  result::CheckpointFolder* kept_ = nullptr;
 };
 
 /// {program: {version, commit}, host, started, command, processes, labels}: the head of JSON files.
-py::dict provenance_of(const postprocess::Provenance& made) {
+py::dict provenance_of(const result::Provenance& made) {
   return py::dict("program"_a = py::dict("version"_a = made.version, "commit"_a = made.commit),
                   "host"_a = made.host, "started"_a = made.started, "command"_a = made.command,
                   "processes"_a = made.processes, "labels"_a = made.labels);
@@ -306,34 +306,34 @@ void define_scenes(py::module_& module) {
 }
 
 void define_frame(py::module_& module) {
-  using modelling::Computing;
+  using models::Computing;
   py::class_<Computing>(module, "Computing")
       .def(py::init([](const std::string& command, bool quiet, bool resume, const std::string& part,
                        int merge) {
-             const contact::Share share =
-                 part.empty() ? contact::Share() : modelling::parse_part(part);
+             const contact::OwnPart own =
+                 part.empty() ? contact::OwnPart() : models::parse_part(part);
              return std::unique_ptr<Computing>(
-                 new Computing{known_models(), command, 0, nullptr, quiet, resume, share, merge});
+                 new Computing{known_models(), command, 0, nullptr, quiet, resume, own, merge});
            }),
            "command"_a, "quiet"_a, "resume"_a, "part"_a, "merge"_a);
   module.def("in_parts", [](Computing& asked, bool divisible, const std::string& folder,
                             const py::function& work) {
-    modelling::check_division(asked, 2, "");  // a study has several levels
-    modelling::in_parts(asked, divisible, folder, [&] { work(); });
+    models::check_division(asked, 2, "");  // a study has several levels
+    models::in_parts(asked, divisible, folder, [&] { work(); });
   });
-  module.def("tell_of_interruptions", &modelling::tell_of_interruptions);
+  module.def("tell_of_interruptions", &models::tell_of_interruptions);
   module.def("refuse_other_result", [](const std::string& folder, const std::string& own) {
-    modelling::refuse_other_result(folder, own);
+    models::refuse_other_result(folder, own);
   });
-  module.def("check_directory", &postprocess::check_directory);
-  module.def("check_folder", [](const std::string& folder) { postprocess::FilesTogether{folder}; });
-  module.def("remove_records", &postprocess::remove_records);
-  module.def("checksum_of_case", &postprocess::checksum_of_case);
+  module.def("check_directory", &result::check_directory);
+  module.def("check_folder", [](const std::string& folder) { result::FilesTogether{folder}; });
+  module.def("remove_records", &result::remove_records);
+  module.def("checksum_of_case", &result::checksum_of_case);
   module.def("store", [](const std::string& folder, const Result& result) {
-    modelling::store_results(folder, result);
+    models::store_results(folder, result);
   });
-  module.def("switch_off_cache", &modelling::CorrectionCache::switch_off);
-  module.def("rank", [] { return modelling::processes().rank; });
+  module.def("switch_off_cache", &models::CorrectionCache::switch_off);
+  module.def("rank", [] { return models::processes().rank; });
 }
 
 }  // namespace
@@ -344,22 +344,22 @@ void define_computations(py::module_& module) {
   module.def("model_infos", &model_infos);
   module.def("compared_quantities", &compared_quantities);
   module.def("checked_names", [](const std::vector<std::string>& names, const std::string& option) {
-    return modelling::checked_names(known_models(), names, option);
+    return models::checked_names(known_models(), names, option);
   });
   module.def("refuse_choice",
              [](const std::vector<std::string>& names, const std::string& command) {
-               modelling::refuse_choice(known_models(), names, command);
+               models::refuse_choice(known_models(), names, command);
              });
   py::class_<contact::Note>(module, "Note").def_readonly("text", &contact::Note::text);
   py::class_<Level>(module, "Level").def(py::init<std::string, std::string, Scene, std::string>());
   py::class_<Computation>(module, "Computation")
-      .def(py::init<std::vector<std::string>, modelling::Computing&>(), py::keep_alive<1, 3>())
+      .def(py::init<std::vector<std::string>, models::Computing&>(), py::keep_alive<1, 3>())
       .def(py::init<std::vector<std::string>, py::object>())
       .def("compute", &Computation::compute)
       .def("solve", &Computation::solve)
       .def("scenes",
            [](Computation& self, const Case& input) {
-             modelling::Scenes found = self.scenes(input);
+             models::Scenes found = self.scenes(input);
              return std::pair(std::move(found.list), std::move(found.notes));
            })
       .def("solve_levels", &Computation::solve_levels)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem._core: the C++ base of the Python package rollfem/. Cases and results are opaque here;
 // solving lets other Python threads run and checks for Ctrl-C at every iteration.
+#include "base/pi.hpp"
+#include "base/threads.hpp"
 #include "bindings/python/caller.hpp"
-#include "contact/base/pi.hpp"
-#include "contact/base/threads.hpp"
-#include "contact/case/case_reader.hpp"
-#include "contact/case/checks/plausibility.hpp"
-#include "contact/case/keys/case_keys.hpp"
+#include "case/checks/plausibility.hpp"
+#include "case/keys/case_keys.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "models/registry.hpp"
 #include "profiles/profiles.hpp"
@@ -139,7 +139,7 @@ PYBIND11_MODULE(_core, module) {
       .def_readonly("verdict", &Result::verdict)
       .def(py::pickle(&python::packed, &python::unpacked));
   module.def("read_case", [](const std::string& file, const std::vector<std::string>& changes) {
-    return contact::read_case(file, modelling::model_words(python::known_models()), changes);
+    return contact::read_case(file, models::model_words(python::known_models()), changes);
   });
   module.def("parse_case", &parse_case);
   module.def("models", &models);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Results as bytes and back, for the processes of a pool: bit for bit, by the records of
 // checkpoints.
+#include "base/errors.hpp"
 #include "bindings/python/bindings.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/result/record.hpp"
 #include "models/program/provenance.hpp"
+#include "result/record.hpp"
 
 namespace rollfem::python {
 
@@ -19,7 +19,7 @@ void exchange(Record& record, Result& result) {
 }
 
 std::string program() {
-  return modelling::version() + ' ' + modelling::commit();
+  return models::version() + ' ' + models::commit();
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/python/bindings.hpp"
-#include "contact/result/quantities.hpp"
-#include "postprocess/write/contents.hpp"
+#include "result/quantities.hpp"
+#include "result/write/contents.hpp"
 
 #include <array>
 #include <pybind11/numpy.h>
@@ -13,8 +13,8 @@ using namespace py::literals;
 
 namespace {
 
-using postprocess::Array;
-using postprocess::Tree;
+using result::Array;
+using result::Tree;
 using Owner = std::shared_ptr<const void>;
 
 /// A read-only array on the memory of the result.
@@ -38,7 +38,7 @@ py::dict attributes_of(const Tree& tree) {
 
 py::dict entries_of(const Tree& tree, const Owner& result) {
   py::dict found;
-  for (const postprocess::Entry& entry : tree.entries)
+  for (const result::Entry& entry : tree.entries)
     if (const auto* array = std::get_if<Array>(&entry.values))
       found[entry.name.c_str()] = view(*array, result);
     else if (const auto* text = std::get_if<std::string>(&entry.values))
@@ -58,15 +58,15 @@ py::tuple tuple_of(const Tree& tree, const Owner& result) {
 }  // namespace
 
 py::tuple contents_of(const Shared& result) {
-  py::tuple whole = tuple_of(postprocess::head_tree(*result), result);
+  py::tuple whole = tuple_of(result::head_tree(*result), result);
   py::dict models;
   for (const ModelResult& model : result->models) {
-    py::tuple one = tuple_of(postprocess::model_tree(model, result->input), result);
+    py::tuple one = tuple_of(result::model_tree(model, result->input), result);
     one[0]["model"] = model.name;
     one[0]["order"] = models.size();
     py::dict points;
     for (std::size_t k = 0; k < model.points.size(); ++k) {
-      const Tree point = postprocess::point_tree(model, k, true);
+      const Tree point = result::point_tree(model, k, true);
       points[point.name.c_str()] = tuple_of(point, result);
     }
     one[2]["points"] = py::make_tuple(py::dict(), py::dict(), points);
@@ -86,7 +86,7 @@ py::list maxima_of(const std::vector<contact::StressMaximum>& maxima) {
 
 py::object place_of(const std::optional<contact::ContactPlace>& place) {
   if (!place) return py::none();
-  return attributes_of(postprocess::place_tree(*place));
+  return attributes_of(result::place_tree(*place));
 }
 
 py::dict quantities() {

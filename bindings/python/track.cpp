@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/errors.hpp"
 #include "bindings/python/bindings.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/result/rigid_wheelset.hpp"
 #include "profiles/profile_format.hpp"
 #include "profiles/profiles.hpp"
+#include "result/rigid_wheelset.hpp"
 #include "track/balance/balance.hpp"
 #include "track/motion/rigid_touch.hpp"
 

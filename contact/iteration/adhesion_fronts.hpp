@@ -6,7 +6,7 @@
 // of successive steps and moves such borders further at once.
 #pragma once
 
-#include "contact/base/grid.hpp"
+#include "base/grid.hpp"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 // negative and adding those that penetrate, in memory reused from one problem to the next.
 #pragma once
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/iteration/normal.hpp"
 
 #include <fmt/format.h>

@@ -4,8 +4,8 @@
 // elements alike.
 #pragma once
 
-#include "contact/base/choices.hpp"
-#include "contact/base/grid.hpp"
+#include "base/choices.hpp"
+#include "base/grid.hpp"
 
 #include <memory>
 

@@ -7,8 +7,8 @@
 // The plastic displacement of a layer that hardens or softens (Plasticity) is carried likewise.
 #pragma once
 
-#include "contact/base/grid.hpp"
-#include "contact/scene/friction_law.hpp"
+#include "base/grid.hpp"
+#include "scene/friction_law.hpp"
 
 #include <optional>
 #include <vector>

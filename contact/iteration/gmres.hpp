@@ -3,7 +3,7 @@
 // in memory reused from one system to the next.
 #pragma once
 
-#include "contact/base/pieces.hpp"
+#include "base/pieces.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Jacobi>

@@ -3,7 +3,7 @@
 // along a line.
 #pragma once
 
-#include "contact/base/grid.hpp"
+#include "base/grid.hpp"
 
 #include <array>
 #include <cstddef>

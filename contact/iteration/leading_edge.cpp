@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/iteration/leading_edge.hpp"
 
-#include "contact/base/pieces.hpp"
-#include "contact/base/root.hpp"
+#include "base/pieces.hpp"
+#include "base/root.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // elasticity.
 #pragma once
 
-#include "contact/base/grid.hpp"
+#include "base/grid.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/iteration/tangential.hpp"
 
-#include "contact/base/pieces.hpp"
+#include "base/pieces.hpp"
 #include "contact/iteration/friction_newton.hpp"
 
 #include <algorithm>

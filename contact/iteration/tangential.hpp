@@ -6,10 +6,10 @@
 // rolling towards the steady state.
 #pragma once
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/iteration/compliance.hpp"
 #include "contact/iteration/friction_state.hpp"
-#include "contact/result/result.hpp"
+#include "result/result.hpp"
 
 #include <optional>
 

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "contact/iteration/leading_edge.hpp"
-#include "contact/scene/scene.hpp"
 #include "contact/solve/defect_correction.hpp"
+#include "scene/scene.hpp"
 
 #include <optional>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/solve/contact_run.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/progress.hpp"
+#include "base/errors.hpp"
+#include "base/progress.hpp"
 #include "contact/iteration/friction_newton.hpp"
 #include "contact/iteration/interpolation.hpp"
-#include "contact/result/derived.hpp"
-#include "contact/result/free_ends.hpp"
-#include "contact/result/validity.hpp"
 #include "contact/solve/state_record.hpp"
+#include "result/derived.hpp"
+#include "result/free_ends.hpp"
+#include "result/validity.hpp"
 
 #include <fmt/format.h>
 

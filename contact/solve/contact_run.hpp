@@ -4,12 +4,12 @@
 // the sharing of the load with friction, progress and checkpoints are implemented here only.
 #pragma once
 
-#include "contact/base/progress.hpp"
-#include "contact/result/patch_size.hpp"
-#include "contact/result/result.hpp"
+#include "base/progress.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/point_motion.hpp"
 #include "contact/solve/prescribed_force.hpp"
+#include "result/patch_size.hpp"
+#include "result/result.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -68,7 +68,7 @@ struct LevelResult {
   /// Of the solution that took most, those of searches and outer iterations included.
   int newton_steps = 0, krylov_iterations = 0, iterations = 0;
   int several = 0;  ///< load points with more than one state (ContactProblem::count_states)
-  /// Why load points are empty (contact/result/quantities.hpp), by their number from 0.
+  /// Why load points are empty (result/quantities.hpp), by their number from 0.
   std::map<std::size_t, std::string> unsolved;
 };
 

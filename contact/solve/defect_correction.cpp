@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/solve/defect_correction.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/iteration/anderson.hpp"
 #include "contact/iteration/friction_newton.hpp"
 #include "contact/iteration/leading_edge.hpp"
-#include "contact/result/patch_size.hpp"
+#include "result/patch_size.hpp"
 
 #include <algorithm>
 #include <cmath>

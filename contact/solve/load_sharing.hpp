@@ -2,7 +2,7 @@
 // A load that pressure and friction carry together, because it is not normal to the surface.
 #pragma once
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include <fmt/format.h>
 

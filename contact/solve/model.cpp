@@ -2,10 +2,10 @@
 // Features of problems that not every model supports: detection and names.
 #include "contact/solve/model.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/text_fields.hpp"
-#include "contact/result/quantities.hpp"
-#include "contact/result/validity.hpp"
+#include "base/errors.hpp"
+#include "base/text_fields.hpp"
+#include "result/quantities.hpp"
+#include "result/validity.hpp"
 
 #include <fmt/format.h>
 

@@ -3,11 +3,11 @@
 // with a name, its capabilities and further data needed to run it.
 #pragma once
 
-#include "contact/base/checkpoint.hpp"
-#include "contact/base/progress.hpp"
-#include "contact/result/bars.hpp"
-#include "contact/result/result.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/checkpoint.hpp"
+#include "base/progress.hpp"
+#include "result/bars.hpp"
+#include "result/result.hpp"
+#include "scene/scene.hpp"
 
 #include <functional>
 #include <optional>
@@ -148,7 +148,7 @@ class ModelRegistry {
 
   /// Throws InputError when the model does not support the problem, naming the models that do.
   void check(const ModelInput& input, const std::string& name) const;
-  /// Checks and runs. The result passes the gate of contact/result/validity.hpp, which throws
+  /// Checks and runs. The result passes the gate of result/validity.hpp, which throws
   /// SolveError and adds warnings to the notes.
   ModelResult run(const std::string& name, const ModelInput& input, const Progress& progress,
                   Checkpoint* checkpoint = nullptr) const;

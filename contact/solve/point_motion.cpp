@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/solve/point_motion.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/iteration/interpolation.hpp"
 
 #include <fmt/format.h>

@@ -5,9 +5,9 @@
 #pragma once
 
 #include "contact/iteration/compliance.hpp"
-#include "contact/result/result.hpp"
-#include "contact/scene/scene.hpp"
 #include "contact/solve/contact_problem.hpp"
+#include "result/result.hpp"
+#include "scene/scene.hpp"
 
 #include <Eigen/Core>
 

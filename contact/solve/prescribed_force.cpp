@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/solve/prescribed_force.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/root.hpp"
+#include "base/errors.hpp"
+#include "base/root.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 // most of the difficulty near full sliding, where the force hardly grows.
 #pragma once
 
-#include "contact/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <Eigen/Core>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/solve/side_by_side.hpp"
 
-#include "contact/base/available_memory.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
+#include "base/available_memory.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 
 #include <algorithm>
 #include <exception>

@@ -6,7 +6,7 @@
 
 #include "contact/iteration/normal.hpp"
 #include "contact/iteration/tangential.hpp"
-#include "contact/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <Eigen/Core>
 

@@ -2,10 +2,10 @@
 // A solved load point with the state from which the next one starts, for checkpoints.
 #pragma once
 
-#include "contact/base/checkpoint.hpp"
-#include "contact/result/record.hpp"
-#include "contact/result/result.hpp"
+#include "base/checkpoint.hpp"
 #include "contact/solve/contact_problem.hpp"
+#include "result/record.hpp"
+#include "result/result.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 // What the driver does where friction falls so steeply that load points have several states or
 // none: warns, before and after, and leaves those empty that have none.
 #include "contact/iteration/friction_newton.hpp"
-#include "contact/result/quantities.hpp"
 #include "contact/solve/contact_run.hpp"
+#include "result/quantities.hpp"
 
 #include <fmt/format.h>
 

@@ -31,8 +31,8 @@ breathe_projects = {"rollfem": str(build / "docs" / "doxygen" / "xml")}
 breathe_default_project = "rollfem"
 breathe_domain_by_extension = {"h": "c", "hpp": "cpp"}
 
-headers = ["bindings/capi/rollfem/rollfem.h", "bindings/interface/rollfem/rollfem.hpp", "contact/case/case.hpp",
-           "contact/result/result.hpp", "contact/base/progress.hpp", "postprocess/write/output.hpp"]
+headers = ["bindings/capi/rollfem/rollfem.h", "bindings/interface/rollfem/rollfem.hpp", "case/case.hpp",
+           "result/result.hpp", "base/progress.hpp", "result/write/output.hpp"]
 (build / "docs" / "doxygen").mkdir(parents=True, exist_ok=True)
 subprocess.run(["doxygen", "-"], check=True, cwd=root, text=True, input=f"""
 INPUT = {" ".join(headers)}

@@ -2,7 +2,7 @@
 // Step 1: a body and its compliance. Hertz's pressure on two half-spaces moves their surfaces by
 // the approach less the undeformed distance. The compliance of a grid gives this displacement from
 // the pressure of its elements, with an error that falls with the size of the elements.
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 

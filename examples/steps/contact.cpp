@@ -2,7 +2,7 @@
 // Step 2: contact on this compliance. One driver, ContactRun, solves normal contact and friction
 // for every load point of a scene on any elasticity; here on half-spaces. The largest pressure is
 // Hertz's, the force of a small creepage Kalker's, and that of a large one the friction bound.
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Step 3: an elasticity of one's own. A rigid ball presses on an elastic layer bonded to a rigid
 // base. The layer is a Compliance, by its Fourier transform; the half-space only preconditions it.
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/elasticity/fft.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/discretisation/body_points.hpp"
 
-#include "contact/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_values.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/discretisation/case_bodies.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/mesh/coarse_mesh.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "meshes/true_section.hpp"

@@ -2,8 +2,8 @@
 // Wheel and rail of a case as finite-element bodies: meshed by rollfem, or on the user's meshes.
 #pragma once
 
-#include "contact/result/note.hpp"
 #include "fem/discretisation/body.hpp"
+#include "result/note.hpp"
 
 #include <memory>
 #include <string>

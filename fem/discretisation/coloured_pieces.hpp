@@ -4,7 +4,7 @@
 // that depends on the mesh alone.
 #pragma once
 
-#include "contact/base/threads.hpp"
+#include "base/threads.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // unknowns.
 #pragma once
 
-#include "contact/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/point.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/discretisation/elasticity_kernel.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/discretisation/simd_nodes.hpp"
 
 #include <algorithm>

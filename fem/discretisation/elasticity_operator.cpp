@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/discretisation/elasticity_operator.hpp"
 
-#include "contact/base/threads.hpp"
+#include "base/threads.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
 #include "fem/discretisation/local_cells.hpp"

@@ -3,7 +3,7 @@
 // boundary conditions included, on the locally owned part of the unknowns of every process.
 #pragma once
 
-#include "contact/base/spares.hpp"
+#include "base/spares.hpp"
 #include "fem/discretisation/coloured_pieces.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
 #include "fem/discretisation/local_cells.hpp"

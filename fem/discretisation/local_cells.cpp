@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/discretisation/local_cells.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 
 #include <deal.II/base/mpi.h>

@@ -3,7 +3,7 @@
 // nodes, boundary conditions), indices and geometry of cells.
 #pragma once
 
-#include "contact/base/threads.hpp"
+#include "base/threads.hpp"
 #include "fem/discretisation/elastic_problem.hpp"
 
 #include <deal.II/base/aligned_vector.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/discretisation/node_order.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include <suitesparse/cholmod.h>
 

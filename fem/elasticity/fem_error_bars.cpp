@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/elasticity/fem_error_bars.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/result/free_ends.hpp"
-#include "contact/result/quantities.hpp"
-#include "contact/result/refinement.hpp"
+#include "base/errors.hpp"
 #include "contact/solve/side_by_side.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/model/step_errors.hpp"
+#include "result/free_ends.hpp"
+#include "result/quantities.hpp"
+#include "result/refinement.hpp"
 
 #include <algorithm>
 #include <cmath>

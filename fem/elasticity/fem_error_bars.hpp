@@ -4,8 +4,8 @@
 // change of the difference between finite elements and half-spaces from level to level.
 #pragma once
 
-#include "contact/result/result.hpp"
-#include "contact/scene/scene.hpp"
+#include "result/result.hpp"
+#include "scene/scene.hpp"
 
 #include <vector>
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/elasticity/fem_model.hpp"
 
-#include "contact/base/checkpoint.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/progress.hpp"
-#include "contact/base/threads.hpp"
-#include "contact/result/record.hpp"
-#include "contact/result/refinement.hpp"
-#include "contact/result/validity.hpp"
+#include "base/checkpoint.hpp"
+#include "base/errors.hpp"
+#include "base/progress.hpp"
+#include "base/threads.hpp"
 #include "fem/elasticity/fem_error_bars.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/linear/root_process.hpp"
 #include "fem/linear/solver_choice.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "fem/plasticity/yielding_bodies.hpp"
+#include "result/record.hpp"
+#include "result/refinement.hpp"
+#include "result/validity.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>

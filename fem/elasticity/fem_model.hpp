@@ -3,7 +3,7 @@
 // rollfem opens the library at run time through rollfem_fem_entry.
 #pragma once
 
-#include "contact/base/checkpoint.hpp"
+#include "base/checkpoint.hpp"
 #include "contact/solve/model.hpp"
 #include "fem/elasticity/mesh_report.hpp"
 

@@ -2,8 +2,8 @@
 // The meshes of a case with their quality, without solving. Free of deal.II, like model.hpp.
 #pragma once
 
-#include "contact/result/result.hpp"
-#include "contact/scene/scene.hpp"
+#include "result/result.hpp"
+#include "scene/scene.hpp"
 
 #include <string>
 #include <vector>

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/elasticity/run_level.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/progress.hpp"
-#include "contact/base/threads.hpp"
-#include "contact/result/derived.hpp"
-#include "contact/result/record.hpp"
-#include "contact/scene/geometry.hpp"
+#include "base/errors.hpp"
+#include "base/progress.hpp"
+#include "base/threads.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "contact/solve/side_by_side.hpp"
 #include "contact/solve/state_record.hpp"
@@ -24,6 +21,9 @@
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/patch/coverage.hpp"
+#include "result/derived.hpp"
+#include "result/record.hpp"
+#include "scene/geometry.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>

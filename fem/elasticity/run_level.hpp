@@ -3,7 +3,7 @@
 // point of the scene solved on them. fem_model.hpp runs two levels to estimate the error.
 #pragma once
 
-#include "contact/base/checkpoint.hpp"
+#include "base/checkpoint.hpp"
 #include "contact/solve/model.hpp"
 
 namespace rollfem::fem {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/algebraic_multigrid.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/discretisation/elasticity_assembly.hpp"
 
 #include <deal.II/dofs/dof_tools.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/cholmod.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/spares.hpp"
+#include "base/errors.hpp"
+#include "base/spares.hpp"
 #include "fem/discretisation/elasticity_assembly.hpp"
 #include "fem/discretisation/elasticity_operator.hpp"
 #include "fem/discretisation/node_order.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/factorisation.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "fem/discretisation/elasticity_assembly.hpp"
 #include "fem/linear/cholmod.hpp"
 #include "fem/linear/mirrored_halves.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/level_transfer.hpp"
 
-#include "contact/base/spares.hpp"
+#include "base/spares.hpp"
 #include "fem/discretisation/coloured_pieces.hpp"
 #include "fem/discretisation/elastic_problem.hpp"
 #include "fem/discretisation/elasticity_operator.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/multigrid.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/pieces.hpp"
-#include "contact/base/spares.hpp"
+#include "base/errors.hpp"
+#include "base/pieces.hpp"
+#include "base/spares.hpp"
 #include "fem/discretisation/elasticity_operator.hpp"
 #include "fem/linear/cholmod.hpp"
 #include "fem/linear/flush_subnormals.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/solver_choice.hpp"
 
-#include "contact/base/available_memory.hpp"
-#include "contact/base/errors.hpp"
+#include "base/available_memory.hpp"
+#include "base/errors.hpp"
 #include "fem/linear/algebraic_multigrid.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/linear/multigrid.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/mesh/body_mesh.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/mesh/chart.hpp"
 #include "fem/mesh/coarse_mesh.hpp"
 #include "meshes/grading.hpp"

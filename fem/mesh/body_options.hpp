@@ -2,8 +2,8 @@
 // Parameters of a body's mesh, and its boundary numbers.
 #pragma once
 
-#include "contact/scene/scene.hpp"
 #include "meshes/hex_mesh.hpp"
+#include "scene/scene.hpp"
 
 #include <deal.II/base/types.h>
 

@@ -3,8 +3,8 @@
 // box that a cell occupies there. Internal to fem/.
 #pragma once
 
-#include "contact/scene/contact_surface.hpp"
 #include "fem/mesh/surface_shape.hpp"
+#include "scene/contact_surface.hpp"
 
 #include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria_accessor.h>

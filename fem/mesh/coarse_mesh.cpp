@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/mesh/coarse_mesh.hpp"
 
-#include "contact/base/count.hpp"
-#include "contact/base/errors.hpp"
+#include "base/count.hpp"
+#include "base/errors.hpp"
 #include "fem/mesh/chart.hpp"
 #include "meshes/gmsh_sections.hpp"
 #include "meshes/grading.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/mesh/run_layout.hpp"
 
-#include "contact/base/count.hpp"
-#include "contact/base/errors.hpp"
+#include "base/count.hpp"
+#include "base/errors.hpp"
 #include "fem/mesh/surface_shape.hpp"
 
 #include <fmt/format.h>

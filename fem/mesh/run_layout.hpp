@@ -3,11 +3,11 @@
 // options of the bodies.
 #pragma once
 
-#include "contact/base/grid.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/grid.hpp"
 #include "fem/mesh/body_options.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "halfspace/patch/true_sections.hpp"
+#include "scene/scene.hpp"
 
 namespace rollfem::fem {
 

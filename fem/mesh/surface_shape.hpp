@@ -2,9 +2,9 @@
 // The surface of a body: chart coordinates and points in space.
 #pragma once
 
-#include "contact/base/profile_drop.hpp"
-#include "contact/scene/contact_surface.hpp"
+#include "base/profile_drop.hpp"
 #include "meshes/true_section.hpp"
+#include "scene/contact_surface.hpp"
 
 #include <deal.II/base/derivative_form.h>
 #include <deal.II/base/point.h>

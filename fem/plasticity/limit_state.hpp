@@ -3,8 +3,8 @@
 // fem/plasticity.
 #pragma once
 
-#include "contact/result/record.hpp"
 #include "fem/plasticity/plastic_law.hpp"
+#include "result/record.hpp"
 
 #include <vector>
 

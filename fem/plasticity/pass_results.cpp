@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/plasticity/pass_results.hpp"
 
-#include "contact/base/knots.hpp"
+#include "base/knots.hpp"
 #include "fem/stress/stress_output.hpp"
 
 #include <fmt/format.h>

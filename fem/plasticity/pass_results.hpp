@@ -3,11 +3,11 @@
 // what becomes of the body with further passes. Internal to fem/plasticity.
 #pragma once
 
-#include "contact/result/record.hpp"
-#include "contact/result/result.hpp"
 #include "fem/discretisation/body_points.hpp"
 #include "fem/plasticity/steady_pass.hpp"
 #include "fem/stress/stress_recovery.hpp"
+#include "result/record.hpp"
+#include "result/result.hpp"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/plasticity/plastic_law.hpp"
 
-#include "contact/base/root.hpp"
+#include "base/root.hpp"
 
 #include <cmath>
 #include <cstddef>

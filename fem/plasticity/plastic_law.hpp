@@ -2,7 +2,7 @@
 // The law of one material point that yields: plastic strain and hardening along a path of strain.
 #pragma once
 
-#include "contact/case/body_plasticity.hpp"
+#include "case/body_plasticity.hpp"
 
 #include <array>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/plasticity/steady_pass.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "contact/iteration/anderson.hpp"
 
 #include <deal.II/base/mpi.h>

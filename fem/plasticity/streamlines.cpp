@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/plasticity/streamlines.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/mesh/chart.hpp"
 #include "fem/plasticity/cell_shape.hpp"

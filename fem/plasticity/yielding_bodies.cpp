@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/plasticity/yielding_bodies.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/result/record.hpp"
+#include "base/errors.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/plasticity/limit_state.hpp"
 #include "fem/plasticity/pass_results.hpp"
 #include "fem/plasticity/steady_pass.hpp"
+#include "result/record.hpp"
 
 #include <fmt/format.h>
 

@@ -3,11 +3,11 @@
 // contact and to the stress, and the results of each pass.
 #pragma once
 
-#include "contact/base/errors.hpp"
-#include "contact/result/result.hpp"
+#include "base/errors.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/solver_choice.hpp"
 #include "fem/stress/stress_recovery.hpp"
+#include "result/result.hpp"
 
 #include <array>
 #include <memory>

@@ -3,9 +3,9 @@
 // stress of every load point only need to be gathered.
 #pragma once
 
-#include "contact/result/result.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/stress/stress_recovery.hpp"
+#include "result/result.hpp"
 
 #include <string>
 #include <vector>

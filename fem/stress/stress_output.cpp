@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/stress/stress_output.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/root.hpp"
-#include "contact/result/bars.hpp"
-#include "contact/result/stress_extremes.hpp"
-#include "contact/result/stress_measures.hpp"
+#include "base/errors.hpp"
+#include "base/root.hpp"
 #include "fem/stress/body_nodes.hpp"
 #include "fem/stress/stress_recovery.hpp"
 #include "fem/stress/surface_stress.hpp"
 #include "halfspace/stress/subsurface.hpp"
+#include "result/bars.hpp"
+#include "result/stress_extremes.hpp"
+#include "result/stress_measures.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>

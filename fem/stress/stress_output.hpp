@@ -3,10 +3,10 @@
 // ones of each body, and at all nodes for load points that store them.
 #pragma once
 
-#include "contact/result/result.hpp"
 #include "fem/discretisation/body_points.hpp"
 #include "fem/stress/stress_recovery.hpp"
 #include "fem/trace/fem_compliance.hpp"
+#include "result/result.hpp"
 
 #include <array>
 #include <memory>

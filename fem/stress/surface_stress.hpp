@@ -3,8 +3,8 @@
 // only the strain within the surface comes from the elements.
 #pragma once
 
-#include "contact/scene/contact_surface.hpp"
 #include "fem/discretisation/body_points.hpp"
+#include "scene/contact_surface.hpp"
 
 namespace rollfem::fem {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/trace/far_field.hpp"
 
-#include "contact/base/pi.hpp"
-#include "contact/scene/geometry.hpp"
+#include "base/pi.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "fem/trace/prescribed.hpp"
 #include "halfspace/closed_forms/point_loads.hpp"
+#include "scene/geometry.hpp"
 
 #include <deal.II/numerics/vector_tools_boundary.h>
 #include <fmt/format.h>

@@ -5,9 +5,9 @@
 // boundary".
 #pragma once
 
-#include "contact/scene/scene.hpp"
 #include "fem/linear/linear_solver.hpp"
 #include "fem/trace/fem_compliance.hpp"
+#include "scene/scene.hpp"
 
 #include <array>
 #include <string>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/trace/fem_compliance.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
-#include "contact/scene/geometry.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "fem/linear/root_process.hpp"
 #include "fem/mesh/chart.hpp"
 #include "fem/mesh/chart_face.hpp"
 #include "fem/trace/far_field.hpp"
 #include "fem/trace/middle_displacement.hpp"
+#include "scene/geometry.hpp"
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>

@@ -7,10 +7,10 @@
 #pragma once
 
 #include "contact/iteration/compliance.hpp"
-#include "contact/scene/contact_surface.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/linear_solver.hpp"
 #include "fem/trace/lattice_deficit.hpp"
+#include "scene/contact_surface.hpp"
 
 #include <functional>
 #include <memory>

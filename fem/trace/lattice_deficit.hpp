@@ -5,7 +5,7 @@
 // cells with sides joined by the wave's phase is sufficient, without mesh or fit.
 #pragma once
 
-#include "contact/base/material.hpp"
+#include "base/material.hpp"
 #include "halfspace/elasticity/influence.hpp"
 
 #include <array>

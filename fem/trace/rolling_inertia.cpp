@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/trace/rolling_inertia.hpp"
 
-#include "contact/scene/geometry.hpp"
 #include "fem/trace/fem_compliance.hpp"
 #include "fem/trace/prescribed.hpp"
+#include "scene/geometry.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/vector_tools_rhs.h>

@@ -3,9 +3,9 @@
 // and the effect of spinning on the wheel. Derivation: docs/theory.md, "Inertia".
 #pragma once
 
-#include "contact/scene/contact_surface.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/linear_solver.hpp"
+#include "scene/contact_surface.hpp"
 
 namespace rollfem::fem {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/closed_forms/hertz.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
-#include "contact/base/root.hpp"
-#include "contact/scene/geometry.hpp"
-#include "contact/scene/hertz_ellipse.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
+#include "base/root.hpp"
+#include "scene/geometry.hpp"
+#include "scene/hertz_ellipse.hpp"
 
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>

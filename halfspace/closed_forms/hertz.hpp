@@ -2,8 +2,8 @@
 // Hertz's elliptic contact in closed form (Johnson 1985, chapter 4), any aspect ratio.
 #pragma once
 
-#include "contact/scene/geometry.hpp"
-#include "contact/scene/scene.hpp"
+#include "scene/geometry.hpp"
+#include "scene/scene.hpp"
 
 namespace rollfem::halfspace {
 

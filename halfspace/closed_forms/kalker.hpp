@@ -3,7 +3,7 @@
 // Poisson's ratio, and the resulting forces: the limit of every creep curve at small creepage.
 #pragma once
 
-#include "contact/scene/geometry.hpp"
+#include "scene/geometry.hpp"
 
 namespace rollfem::halfspace {
 

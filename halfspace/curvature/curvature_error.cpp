@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/curvature/curvature_error.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/progress.hpp"
-#include "contact/result/quantities.hpp"
+#include "base/errors.hpp"
+#include "base/progress.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "result/quantities.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // their true curvature (curved_compliance.hpp), across rolling on their common surface.
 #pragma once
 
-#include "contact/base/progress.hpp"
+#include "base/progress.hpp"
 #include "contact/solve/contact_run.hpp"
 
 #include <map>

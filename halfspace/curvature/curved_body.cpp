@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/curvature/curved_body.hpp"
 
-#include "contact/base/count.hpp"
-#include "contact/base/pi.hpp"
+#include "base/count.hpp"
+#include "base/pi.hpp"
 #include "contact/iteration/interpolation.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 

@@ -4,8 +4,8 @@
 // solution removes them (docs/theory.md, "Bodies that curve gently").
 #pragma once
 
-#include "contact/base/grid.hpp"
-#include "contact/base/material.hpp"
+#include "base/grid.hpp"
+#include "base/material.hpp"
 
 #include <functional>
 #include <limits>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/curvature/curved_compliance.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/profile_drop.hpp"
+#include "base/errors.hpp"
+#include "base/profile_drop.hpp"
 #include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "contact/iteration/compliance.hpp"
-#include "contact/scene/scene.hpp"
 #include "halfspace/curvature/curved_body.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
+#include "scene/scene.hpp"
 
 #include <optional>
 

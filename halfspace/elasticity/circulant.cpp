@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/elasticity/circulant.hpp"
 
-#include "contact/base/pi.hpp"
-#include "contact/base/threads.hpp"
+#include "base/pi.hpp"
+#include "base/threads.hpp"
 
 #include <algorithm>
 #include <cmath>

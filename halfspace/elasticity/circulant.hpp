@@ -4,9 +4,9 @@
 #pragma once
 
 #include "contact/iteration/compliance.hpp"
-#include "contact/scene/geometry.hpp"
 #include "halfspace/elasticity/fft.hpp"
 #include "halfspace/elasticity/influence.hpp"
+#include "scene/geometry.hpp"
 
 #include <array>
 #include <complex>

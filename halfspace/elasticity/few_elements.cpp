@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/elasticity/few_elements.hpp"
 
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 #include "contact/iteration/leading_edge.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 

@@ -4,11 +4,11 @@
 // once (influence_tables.hpp).
 #pragma once
 
-#include "contact/base/grid.hpp"
+#include "base/grid.hpp"
 #include "contact/iteration/compliance.hpp"
 #include "contact/iteration/linearisation.hpp"
-#include "contact/scene/patch_geometry.hpp"
 #include "halfspace/elasticity/influence_tables.hpp"
+#include "scene/patch_geometry.hpp"
 
 #include <Eigen/LU>
 

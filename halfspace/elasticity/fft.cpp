@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/elasticity/fft.hpp"
 
-#include "contact/base/threads.hpp"
+#include "base/threads.hpp"
 
 #include <fftw3.h>
 

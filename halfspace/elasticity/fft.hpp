@@ -4,8 +4,8 @@
 // kept in the process.
 #pragma once
 
-#include "contact/base/grid.hpp"
-#include "contact/base/spares.hpp"
+#include "base/grid.hpp"
+#include "base/spares.hpp"
 
 #include <boost/align/aligned_allocator.hpp>
 

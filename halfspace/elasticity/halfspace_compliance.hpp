@@ -4,7 +4,7 @@
 #pragma once
 
 #include "contact/iteration/compliance.hpp"
-#include "contact/scene/geometry.hpp"
+#include "scene/geometry.hpp"
 
 #include <memory>
 

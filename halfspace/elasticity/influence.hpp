@@ -4,8 +4,8 @@
 // Johnson 1985 eq. 3.18 and section 3.6, integrated over the rectangle with corner functions).
 #pragma once
 
-#include "contact/base/material.hpp"
-#include "contact/scene/geometry.hpp"
+#include "base/material.hpp"
+#include "scene/geometry.hpp"
 
 namespace rollfem::halfspace {
 

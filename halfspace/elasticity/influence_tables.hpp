@@ -4,7 +4,7 @@
 // covers every patch.
 #pragma once
 
-#include "contact/base/material.hpp"
+#include "base/material.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/elasticity/neighbours.hpp"
 
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,9 +6,9 @@
 // in a re-entrant corner it hardly moves it (docs/theory.md#around-a-corner).
 #pragma once
 
-#include "contact/base/material.hpp"
-#include "contact/scene/geometry.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/material.hpp"
+#include "scene/geometry.hpp"
+#include "scene/scene.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/elasticity/neighbours.hpp"

@@ -3,10 +3,10 @@
 // the same grid as its stand-in, and the displacement due to other contacts of the wheel.
 #pragma once
 
-#include "contact/result/patch_size.hpp"
-#include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
+#include "result/patch_size.hpp"
+#include "scene/geometry.hpp"
 
 #include <Eigen/Core>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/model/error_bars.hpp"
 
-#include "contact/result/bars.hpp"
-#include "contact/result/derived.hpp"
-#include "contact/result/free_ends.hpp"
-#include "contact/result/patch_size.hpp"
-#include "contact/result/quantities.hpp"
-#include "contact/result/stress_extremes.hpp"
 #include "halfspace/model/grid_signs.hpp"
+#include "result/bars.hpp"
+#include "result/derived.hpp"
+#include "result/free_ends.hpp"
+#include "result/patch_size.hpp"
+#include "result/quantities.hpp"
+#include "result/stress_extremes.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 // across.
 #pragma once
 
-#include "contact/result/result.hpp"
+#include "result/result.hpp"
 
 #include <vector>
 

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/model/halfspace_model.hpp"
 
-#include "contact/base/available_memory.hpp"
-#include "contact/base/count.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/progress.hpp"
-#include "contact/result/derived.hpp"
-#include "contact/result/free_ends.hpp"
-#include "contact/result/quantities.hpp"
-#include "contact/result/refinement.hpp"
-#include "contact/result/validity.hpp"
-#include "contact/scene/geometry.hpp"
+#include "base/available_memory.hpp"
+#include "base/count.hpp"
+#include "base/errors.hpp"
+#include "base/progress.hpp"
 #include "contact/solve/side_by_side.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
@@ -21,6 +15,12 @@
 #include "halfspace/patch/patch_search.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface.hpp"
+#include "result/derived.hpp"
+#include "result/free_ends.hpp"
+#include "result/quantities.hpp"
+#include "result/refinement.hpp"
+#include "result/validity.hpp"
+#include "scene/geometry.hpp"
 
 #include <fmt/format.h>
 

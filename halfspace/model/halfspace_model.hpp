@@ -2,7 +2,7 @@
 // The model "halfspace": Kalker's problem on the case's contact grid for every load point.
 #pragma once
 
-#include "contact/base/checkpoint.hpp"
+#include "base/checkpoint.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "contact/solve/model.hpp"
 #include "halfspace/patch/patch_search.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/model/rolling_ellipse.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
 #include "contact/solve/side_by_side.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"

@@ -3,7 +3,7 @@
 // Everything is scaled, so that one value covers contacts of any size, load and stiffness.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "case/case.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 
 #include <optional>

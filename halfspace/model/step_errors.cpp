@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/model/step_errors.hpp"
 
-#include "contact/result/quantities.hpp"
+#include "result/quantities.hpp"
 
 #include <algorithm>
 #include <cmath>

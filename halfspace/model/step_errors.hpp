@@ -3,8 +3,8 @@
 // steps.
 #pragma once
 
-#include "contact/result/result.hpp"
-#include "contact/scene/scene.hpp"
+#include "result/result.hpp"
+#include "scene/scene.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/model/wave_errors.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/iteration/interpolation.hpp"
 #include "contact/iteration/normal.hpp"
-#include "contact/result/patch_size.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "result/patch_size.hpp"
 
 #include <fmt/format.h>
 

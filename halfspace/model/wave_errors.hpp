@@ -3,8 +3,8 @@
 // elements a quarter as wide, and a warning for the reader.
 #pragma once
 
-#include "contact/result/result.hpp"
-#include "contact/scene/scene.hpp"
+#include "result/result.hpp"
+#include "scene/scene.hpp"
 
 #include <cstddef>
 #include <map>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/patch/coverage.hpp"
 
-#include "contact/base/count.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/result/quantities.hpp"
+#include "base/count.hpp"
+#include "base/errors.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
+#include "result/quantities.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 // and pressure must not reach another contact of the wheel.
 #pragma once
 
-#include "contact/result/result.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "result/result.hpp"
 
 #include <array>
 #include <optional>

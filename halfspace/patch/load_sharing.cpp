@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/patch/load_sharing.hpp"
 
-#include "contact/base/count.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
+#include "base/count.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "contact/iteration/bound_constrained_cg.hpp"
 #include "contact/iteration/compliance.hpp"
-#include "contact/result/result.hpp"
 #include "contact/solve/load_sharing.hpp"
 #include "contact/solve/standin.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "halfspace/patch/ridge.hpp"
+#include "result/result.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 // contacts are one normal problem in the forces of the elements along the vertical.
 #pragma once
 
-#include "contact/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <array>
 #include <optional>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/patch/patch_search.hpp"
 
-#include "contact/base/count.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
+#include "base/count.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
 #include "contact/iteration/normal.hpp"
-#include "contact/result/free_ends.hpp"
-#include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
+#include "result/free_ends.hpp"
+#include "scene/geometry.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 // radii, from coarse half-space solutions of a few milliseconds for true profiles.
 #pragma once
 
-#include "contact/result/patch_size.hpp"
-#include "contact/scene/scene.hpp"
 #include "halfspace/patch/ridge.hpp"
+#include "result/patch_size.hpp"
+#include "scene/scene.hpp"
 
 #include <array>
 #include <memory>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "contact/iteration/bound_constrained_cg.hpp"
-#include "contact/scene/geometry.hpp"
+#include "scene/geometry.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "contact/base/count.hpp"
-#include "contact/base/errors.hpp"
+#include "base/count.hpp"
+#include "base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/patch/patch_search.hpp"
 

@@ -5,13 +5,13 @@
 
 #include "contact/iteration/friction_newton.hpp"
 #include "contact/iteration/leading_edge.hpp"
-#include "contact/result/patch_size.hpp"
-#include "contact/result/result.hpp"
-#include "contact/scene/friction_law.hpp"
-#include "contact/scene/geometry.hpp"
-#include "contact/scene/scene.hpp"
 #include "halfspace/elasticity/few_elements.hpp"
 #include "halfspace/patch/peak_pressure.hpp"
+#include "result/patch_size.hpp"
+#include "result/result.hpp"
+#include "scene/friction_law.hpp"
+#include "scene/geometry.hpp"
+#include "scene/scene.hpp"
 
 #include <array>
 #include <optional>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/patch/quick_wheel.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/result/validity.hpp"
+#include "base/errors.hpp"
 #include "contact/solve/load_sharing.hpp"
+#include "result/validity.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/patch/ridge.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 // by the strip model and by the search for the extent of a patch.
 #pragma once
 
-#include "contact/base/grid.hpp"
-#include "contact/scene/patch_geometry.hpp"
+#include "base/grid.hpp"
+#include "scene/patch_geometry.hpp"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 // patch: needed by other modules before finite elements are chosen.
 #pragma once
 
-#include "contact/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace rollfem::halfspace {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/stress/stress_maxima.hpp"
 
-#include "contact/base/root.hpp"
-#include "contact/result/stress_extremes.hpp"
+#include "base/root.hpp"
 #include "halfspace/stress/subsurface.hpp"
+#include "result/stress_extremes.hpp"
 
 #include <algorithm>
 #include <cmath>

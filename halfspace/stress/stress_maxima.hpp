@@ -2,8 +2,8 @@
 // Largest stresses of wheel and rail as half-spaces, with their positions.
 #pragma once
 
-#include "contact/result/result.hpp"
 #include "halfspace/stress/subsurface.hpp"
+#include "result/result.hpp"
 
 #include <functional>
 #include <vector>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/stress/subsurface.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/grid.hpp"
-#include "contact/base/pi.hpp"
-#include "contact/base/threads.hpp"
-#include "contact/scene/geometry.hpp"
+#include "base/errors.hpp"
+#include "base/grid.hpp"
+#include "base/pi.hpp"
+#include "base/threads.hpp"
 #include "halfspace/elasticity/fft.hpp"
 #include "halfspace/stress/cell_stress.hpp"
+#include "scene/geometry.hpp"
 
 #include <fmt/format.h>
 

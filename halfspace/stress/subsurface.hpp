@@ -10,10 +10,10 @@
 // (ContactGrid::line_reference).
 #pragma once
 
-#include "contact/base/grid.hpp"
-#include "contact/case/case.hpp"
-#include "contact/result/result.hpp"
-#include "contact/result/stress_measures.hpp"
+#include "base/grid.hpp"
+#include "case/case.hpp"
+#include "result/result.hpp"
+#include "result/stress_measures.hpp"
 
 #include <array>
 #include <vector>

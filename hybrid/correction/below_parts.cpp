@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "hybrid/correction/below_parts.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
-#include "contact/result/stress_measures.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
 #include "fem/discretisation/cell_terms.hpp"
+#include "result/stress_measures.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>

@@ -6,11 +6,11 @@
 // in between is subtracted.
 #pragma once
 
-#include "contact/scene/below_surface.hpp"
 #include "fem/discretisation/body.hpp"
 #include "halfspace/stress/cell_stress.hpp"
 #include "halfspace/stress/subsurface.hpp"
 #include "hybrid/smooth_map.hpp"
+#include "scene/below_surface.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

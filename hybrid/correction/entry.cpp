@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The C entry point of this library, which rollfem opens at run time.
-#include "contact/base/threads.hpp"
+#include "base/threads.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
 #include "fem/elasticity/fem_model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"

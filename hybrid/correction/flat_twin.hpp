@@ -4,10 +4,10 @@
 // that on the body, up to the curvature.
 #pragma once
 
-#include "contact/scene/contact_surface.hpp"
-#include "contact/scene/height_curve.hpp"
-#include "contact/scene/scene.hpp"
 #include "fem/mesh/surface_shape.hpp"
+#include "scene/contact_surface.hpp"
+#include "scene/height_curve.hpp"
+#include "scene/scene.hpp"
 
 namespace rollfem::hybrid {
 

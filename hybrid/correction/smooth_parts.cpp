@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "hybrid/correction/smooth_parts.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
-#include "contact/scene/below_surface.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/linear/multigrid.hpp"
@@ -16,6 +14,8 @@
 #include "hybrid/correction/below_parts.hpp"
 #include "hybrid/correction/flat_twin.hpp"
 #include "hybrid/correction_scene.hpp"
+#include "scene/below_surface.hpp"
+#include "scene/scene.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/QR>

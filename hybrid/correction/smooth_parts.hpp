@@ -5,9 +5,9 @@
 // of a true section or of a user's mesh is a box with the same cells under the patch.
 #pragma once
 
-#include "contact/base/progress.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/progress.hpp"
 #include "hybrid/smooth_map.hpp"
+#include "scene/scene.hpp"
 
 namespace rollfem::hybrid {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/caches/correction_cache.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/result/record.hpp"
+#include "base/errors.hpp"
 #include "hybrid/correction_scene.hpp"
 #include "models/program/provenance.hpp"
-#include "postprocess/files/files_together.hpp"
-#include "postprocess/files/seal.hpp"
+#include "result/files/files_together.hpp"
+#include "result/files/seal.hpp"
+#include "result/record.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -20,7 +20,7 @@
 
 namespace fs = std::filesystem;
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 using hybrid::SmoothBox;
 using hybrid::SmoothDepthMap;
@@ -107,7 +107,7 @@ void exchange(contact::Record& record, Stored& stored) {
 
 /// Throws contact::FileError if the file is damaged or of another format.
 Stored read(const fs::path& file) {
-  const auto bytes = postprocess::opened_record(suffix, postprocess::contents_of(file));
+  const auto bytes = result::opened_record(suffix, result::contents_of(file));
   if (!bytes) throw contact::FileError("damaged");
   Stored stored;
   contact::Record(*bytes).value(stored);
@@ -175,8 +175,8 @@ std::string CorrectionCache::keep(const contact::Scene& correction, const Smooth
   stored.entry.unknowns = parts.unknowns;
   stored.entry.seconds = seconds;
   try {
-    postprocess::replace_file(file_of(folder_, key),
-                              postprocess::sealed_record(suffix, contact::record_of(stored)));
+    result::replace_file(file_of(folder_, key),
+                         result::sealed_record(suffix, contact::record_of(stored)));
   } catch (const std::exception& error) {
     return fmt::format("the correction could not be stored for other runs: {}", error.what());
   }
@@ -185,7 +185,7 @@ std::string CorrectionCache::keep(const contact::Scene& correction, const Smooth
 
 std::vector<CorrectionCache::Entry> CorrectionCache::entries() const {
   std::vector<Entry> entries;
-  for (const fs::path& file : postprocess::files_in(folder_)) {
+  for (const fs::path& file : result::files_in(folder_)) {
     if (!is_entry(file)) continue;
     Entry& entry = entries.emplace_back();
     try {
@@ -205,7 +205,7 @@ std::vector<CorrectionCache::Entry> CorrectionCache::entries() const {
 
 std::vector<std::string> CorrectionCache::clear() const {
   std::vector<std::string> left;
-  for (const fs::path& file : postprocess::files_in(folder_)) {
+  for (const fs::path& file : result::files_in(folder_)) {
     if (!is_ours(file)) continue;
     std::error_code error;
     fs::remove(file, error);
@@ -214,4 +214,4 @@ std::vector<std::string> CorrectionCache::clear() const {
   return left;
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -3,8 +3,8 @@
 // friction on the same bodies needs no finite elements.
 #pragma once
 
-#include "contact/scene/scene.hpp"
 #include "hybrid/smooth_map.hpp"
+#include "scene/scene.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 /// The smooth parts as bytes in this machine's byte order, for files and other processes.
 std::string packed(hybrid::SmoothParts parts);
@@ -61,4 +61,4 @@ class CorrectionCache {
   std::filesystem::path folder_;
 };
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

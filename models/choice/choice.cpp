@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/choice/choice.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
-#include "contact/result/quantities.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
+#include "result/quantities.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include <sstream>
 #include <utility>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 namespace {
 
@@ -291,4 +291,4 @@ Chosen choose(std::vector<Subject> contacts, const Wanted& wanted) {
   return Choice(std::move(contacts), wanted).run();
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

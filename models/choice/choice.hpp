@@ -4,19 +4,19 @@
 // states which model was chosen, which ones were not, and why.
 #pragma once
 
-#include "contact/base/accuracy.hpp"
-#include "contact/base/errors.hpp"
-#include "contact/base/progress.hpp"
-#include "contact/result/refinement.hpp"
-#include "contact/result/result.hpp"
+#include "base/accuracy.hpp"
+#include "base/errors.hpp"
+#include "base/progress.hpp"
 #include "models/choice/forecast.hpp"
+#include "result/refinement.hpp"
+#include "result/result.hpp"
 
 #include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 /// Time limit of a run without a requested accuracy, in predicted seconds, so that the same case
 /// leads to the same choice.
@@ -55,4 +55,4 @@ struct Chosen {
 /// Throws contact::InputError if no candidate can take all contacts, otherwise the first failure.
 Chosen choose(std::vector<Subject> contacts, const Wanted& wanted);
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/choice/laws.hpp"
 
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 namespace {
 
@@ -21,7 +21,7 @@ constexpr double error_with_friction = 0.006, error_without_friction = 0.0035;
 constexpr int measured_cells = 16;
 constexpr double fem_error_with_friction = 0.006, fem_error_without_friction = 0.003;
 
-/// Elements required across the smallest patch (contact/result/validity.cpp), plus one, because the
+/// Elements required across the smallest patch (result/validity.cpp), plus one, because the
 /// patch may be badly aligned with the grid.
 constexpr double fewest_across = 5.0;
 
@@ -172,4 +172,4 @@ Forecast fem_forecast(const ContactSize& size) {
   return forecast;
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/fem/fem_library.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "models/program/provenance.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <string>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 namespace {
 
@@ -106,4 +106,4 @@ const ParallelSession& parallel_session(const std::string& asked_by, int argc, c
   return session;
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

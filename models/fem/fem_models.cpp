@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/fem/fem_models.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/progress.hpp"
+#include "base/errors.hpp"
+#include "base/progress.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "hybrid/correction_scene.hpp"
@@ -15,7 +15,7 @@
 #include <cmath>
 #include <string>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 using contact::Demand;
 using contact::ModelInput;
@@ -137,4 +137,4 @@ contact::ModelInfo fem_model() {
   return fem;
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/frame/command_frame.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "models/frame/interruption.hpp"
 #include "models/frame/parts.hpp"
 #include "models/program/provenance.hpp"
@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <iostream>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 namespace fs = std::filesystem;
 
@@ -56,9 +56,9 @@ CommandFrame::CommandFrame(const Computing& request, std::vector<std::string> mo
     : request_(request),
       known_(request.known),
       models_(std::move(models)),
-      first_(!request.share.whole() || processes().first()),
-      parallel_(request.share.whole() && any_parallel(known_, models_)),
-      processes_(request.share.whole() ? processes().count : 1),
+      first_(!request.own.whole() || processes().first()),
+      parallel_(request.own.whole() && any_parallel(known_, models_)),
+      processes_(request.own.whole() ? processes().count : 1),
       display_(request.quiet || !first_ ? ProgressDisplay::Mode::silent
                                         : ProgressDisplay::mode_of_stderr()),
       progress_([this](const contact::ProgressEvent& event) { display_.show(event); }) {}
@@ -77,16 +77,16 @@ void CommandFrame::say(const std::string& line) {
   if (first_ && !request_.quiet) std::cerr << line << '\n';
 }
 
-postprocess::Provenance CommandFrame::provenance() const {
-  postprocess::Provenance made = provenance_of(known_, request_.command);
+result::Provenance CommandFrame::provenance() const {
+  result::Provenance made = provenance_of(known_, request_.command);
   made.processes = parallel_ ? processes_ : 1;
   return made;
 }
 
 void CommandFrame::own(const fs::path& directory) {
   if (!first_) return;
-  owned_.push_back(std::make_unique<postprocess::FolderOwner>(
-      part_directory(directory, request_.share), request_.command));
+  owned_.push_back(std::make_unique<result::FolderOwner>(part_directory(directory, request_.own),
+                                                         request_.command));
   for (const fs::path& made : owned_.back()->made()) remove_when_interrupted(made.string());
 }
 
@@ -101,12 +101,12 @@ void CommandFrame::prepare_farewell() const {
         kept_->kept(), kept_->folder().string()));
 }
 
-postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
-                                                     const contact::Case& input) {
+result::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
+                                                const contact::Case& input) {
   if (!first_) return nullptr;
   kept_.reset();  // releases the lock before the next one is taken
-  kept_ = std::make_unique<postprocess::CheckpointFolder>(
-      part_directory(directory, request_.share), input, program(), request_.resume, print_warning);
+  kept_ = std::make_unique<result::CheckpointFolder>(part_directory(directory, request_.own), input,
+                                                     program(), request_.resume, print_warning);
   take_up_parts(directory, input);
   kept_->tell([this] { prepare_farewell(); });
   prepare_farewell();
@@ -130,9 +130,9 @@ void CommandFrame::take_up_parts(const fs::path& directory, const contact::Case&
   std::string missing;
   for (int part = 0; part < request_.merge; ++part) {
     const std::string folder = part_directory(directory, {part, request_.merge});
-    if (postprocess::CheckpointFolder::is_marked(folder, part_done))
-      kept_->take_up_also(std::make_unique<postprocess::CheckpointFolder>(folder, input, program(),
-                                                                          true, print_warning));
+    if (result::CheckpointFolder::is_marked(folder, part_done))
+      kept_->take_up_also(std::make_unique<result::CheckpointFolder>(folder, input, program(), true,
+                                                                     print_warning));
     else
       missing += fmt::format("{}{}", missing.empty() ? "" : ", ", part + 1);
   }
@@ -144,8 +144,8 @@ void CommandFrame::take_up_parts(const fs::path& directory, const contact::Case&
 }
 
 bool CommandFrame::ends_part() {
-  if (request_.share.whole()) return false;
-  const int part = request_.share.part + 1, of = request_.share.of;
+  if (request_.own.whole()) return false;
+  const int part = request_.own.part + 1, of = request_.own.of;
   if (kept_->untouched())
     print_warning(fmt::format(
         "part {} of {} is empty: the work of this case divides into fewer parts", part, of));
@@ -198,9 +198,9 @@ void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
   }
 }
 
-void store_results(const std::string& directory, const postprocess::RunRecord& record) {
+void store_results(const std::string& directory, const result::RunRecord& record) {
   const SignalsHeld held;
-  postprocess::write_results(directory, record);
+  result::write_results(directory, record);
   say_when_interrupted("the results were written to " + directory +
                        ", but not completely; repeat the same command");
 }
@@ -214,4 +214,4 @@ void refuse_other_result(const fs::path& directory, const std::string& own) {
                       directory.string(), other));
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -3,13 +3,13 @@
 // quiet, work stored for --resume, and the handling of failures.
 #pragma once
 
-#include "contact/base/share.hpp"
+#include "contact/solve/own_part.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/frame/progress_display.hpp"
 #include "models/solving/solving.hpp"
-#include "postprocess/files/checkpoint_folder.hpp"
-#include "postprocess/files/result_folder.hpp"
-#include "postprocess/write/output.hpp"
+#include "result/files/checkpoint_folder.hpp"
+#include "result/files/result_folder.hpp"
+#include "result/write/output.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 /// What a command that computes was asked for.
 struct Computing {
@@ -27,7 +27,7 @@ struct Computing {
   char** argv = nullptr;
   bool quiet = false;
   bool resume = false;   ///< continue an interrupted run
-  contact::Share share;  ///< --part: part of the work to do and store, without a result
+  contact::OwnPart own;  ///< --part: part of the work to do and store, without a result
   int merge = 0;         ///< --merge: number of parts to put together
 };
 
@@ -49,15 +49,15 @@ class CommandFrame {
   /// Erases an unfinished progress line, before other output.
   void clear_line() { display_.clear(); }
   /// Provenance of the current computation.
-  postprocess::Provenance provenance() const;
+  result::Provenance provenance() const;
 
   /// Locks the result folder until the command ends. Throws contact::InputError if another process
   /// holds it. Does nothing on processes other than the first.
   void own(const std::filesystem::path& directory);
   /// The store of finished work for a result in `directory`; reports existing contents. nullptr on
   /// processes other than the first.
-  postprocess::CheckpointFolder* keep_in(const std::filesystem::path& directory,
-                                         const contact::Case& input);
+  result::CheckpointFolder* keep_in(const std::filesystem::path& directory,
+                                    const contact::Case& input);
   /// Whether this call only does a part of the work; marks that part as done.
   bool ends_part();
   /// Deletes the stored work after the result is written.
@@ -82,15 +82,15 @@ class CommandFrame {
   int processes_ = 1;
   ProgressDisplay display_;
   contact::Progress progress_;
-  std::vector<std::unique_ptr<postprocess::FolderOwner>> owned_;
-  std::unique_ptr<postprocess::CheckpointFolder> kept_;
+  std::vector<std::unique_ptr<result::FolderOwner>> owned_;
+  std::unique_ptr<result::CheckpointFolder> kept_;
 };
 
 /// Writes a result folder; delays Ctrl-C until it is complete.
-void store_results(const std::string& directory, const postprocess::RunRecord& record);
+void store_results(const std::string& directory, const result::RunRecord& record);
 
 /// Throws contact::InputError if another one of run, compare and study has written to `directory`;
 /// `own` is this command's own file.
 void refuse_other_result(const std::filesystem::path& directory, const std::string& own);
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

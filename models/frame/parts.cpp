@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/frame/parts.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/text_fields.hpp"
+#include "base/errors.hpp"
+#include "base/text_fields.hpp"
 #include "models/frame/command_frame.hpp"
 #include "models/program/provenance.hpp"
-#include "postprocess/files/checkpoint_folder.hpp"
-#include "postprocess/files/result_folder.hpp"
+#include "result/files/checkpoint_folder.hpp"
+#include "result/files/result_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -14,17 +14,17 @@
 #include <chrono>
 #include <thread>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 namespace fs = std::filesystem;
 
-std::string part_directory(const fs::path& directory, contact::Share share) {
-  if (share.whole()) return directory.string();
-  return fmt::format("{}.part-{}-of-{}", postprocess::resolved_folder(directory).string(),
-                     share.part + 1, share.of);
+std::string part_directory(const fs::path& directory, contact::OwnPart own) {
+  if (own.whole()) return directory.string();
+  return fmt::format("{}.part-{}-of-{}", result::resolved_folder(directory).string(), own.part + 1,
+                     own.of);
 }
 
-contact::Share parse_part(const std::string& text) {
+contact::OwnPart parse_part(const std::string& text) {
   const std::size_t slash = std::min(text.find('/'), text.size());
   const int part = contact::whole_number_of(text.substr(0, slash)).value_or(0);
   const int of =
@@ -39,8 +39,8 @@ contact::Share parse_part(const std::string& text) {
 
 void check_division(const Computing& request, std::size_t items, const std::string& kind) {
   const char* const key = request.merge > 0 ? "--merge" : "--part";
-  if (request.merge == 0 && request.share.whole()) return;
-  if (request.merge > 0 && !request.share.whole())
+  if (request.merge == 0 && request.own.whole()) return;
+  if (request.merge > 0 && !request.own.whole())
     throw contact::InputError(
         "--part with --merge: allowed: one of them; do: run all parts, then merge");
   if (items > 1) return;
@@ -52,8 +52,8 @@ namespace {
 
 void wait_for_parts(const fs::path& directory, int parts) {
   for (int part = 0; part < parts; ++part)
-    while (!postprocess::CheckpointFolder::is_marked(part_directory(directory, {part, parts}),
-                                                     part_done))
+    while (
+        !result::CheckpointFolder::is_marked(part_directory(directory, {part, parts}), part_done))
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }
 
@@ -62,16 +62,16 @@ void wait_for_parts(const fs::path& directory, int parts) {
 void in_parts(Computing& request, bool divisible, const fs::path& directory,
               const std::function<void()>& work) {
   const Processes all = processes();
-  if (!divisible || all.count < 2 || !request.share.whole() || request.merge > 0) return work();
+  if (!divisible || all.count < 2 || !request.own.whole() || request.merge > 0) return work();
   const bool quiet = request.quiet;
-  request.share = {all.rank, all.count};
+  request.own = {all.rank, all.count};
   request.quiet = quiet || !all.first();
   work();
   if (!all.first()) return;
   wait_for_parts(directory, all.count);
-  request.share = {};
+  request.own = {};
   request.merge = all.count;
   work();
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

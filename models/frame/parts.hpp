@@ -4,13 +4,13 @@
 // identical to the last bit to that of a single call.
 #pragma once
 
-#include "contact/base/share.hpp"
+#include "contact/solve/own_part.hpp"
 
 #include <filesystem>
 #include <functional>
 #include <string>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 struct Computing;
 
@@ -18,10 +18,10 @@ struct Computing;
 inline constexpr const char* part_done = "part-done";
 
 /// Folder beside which a part stores its work; the result folder itself if nothing is divided.
-std::string part_directory(const std::filesystem::path& directory, contact::Share share);
+std::string part_directory(const std::filesystem::path& directory, contact::OwnPart own);
 
 /// "3/8": the third of eight parts. Throws contact::InputError.
-contact::Share parse_part(const std::string& text);
+contact::OwnPart parse_part(const std::string& text);
 
 /// Refuses --part together with --merge, and either one if there is nothing to divide: `items` of
 /// `kind` ("positions of the wheelset"). Throws contact::InputError.
@@ -32,4 +32,4 @@ void check_division(const Computing& request, std::size_t items, const std::stri
 void in_parts(Computing& request, bool divisible, const std::filesystem::path& directory,
               const std::function<void()>& work);
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -4,7 +4,7 @@
 // point).
 #pragma once
 
-#include "contact/base/progress.hpp"
+#include "base/progress.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -13,7 +13,7 @@
 #include <string>
 #include <thread>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 class ProgressDisplay {
  public:
@@ -55,4 +55,4 @@ class ProgressDisplay {
 /// an estimate, the remaining seconds.
 std::string progress_line(const contact::ProgressEvent& event, double seconds);
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <unistd.h>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 namespace {
 
@@ -29,9 +29,8 @@ std::string host_name() {
   return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
 }
 
-postprocess::Provenance provenance_of(const contact::ModelRegistry& models,
-                                      const std::string& command) {
-  postprocess::Provenance made;
+result::Provenance provenance_of(const contact::ModelRegistry& models, const std::string& command) {
+  result::Provenance made;
   made.version = version();
   made.commit = commit();
   made.host = host_name();
@@ -111,4 +110,4 @@ void leave(int status) {
   std::_Exit(status);
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

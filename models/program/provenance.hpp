@@ -3,12 +3,12 @@
 #pragma once
 
 #include "contact/solve/model.hpp"
-#include "postprocess/write/output.hpp"
+#include "result/write/output.hpp"
 
 #include <filesystem>
 #include <string>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 std::string version();
 /// Commit it was built from: "unknown" outside of a git checkout; ends in "-dirty" when files were
@@ -17,8 +17,7 @@ std::string commit();
 std::string host_name();
 
 /// Provenance of a result computed now by this process. `command`: the whole call.
-postprocess::Provenance provenance_of(const contact::ModelRegistry& models,
-                                      const std::string& command);
+result::Provenance provenance_of(const contact::ModelRegistry& models, const std::string& command);
 
 // Locations of the program's own parts, in the build folder and when installed.
 
@@ -47,4 +46,4 @@ Processes processes();
 /// inside a collective call; mpirun then ends them. Never returns.
 [[noreturn]] void leave(int status);
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/solving/auto_model.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"
@@ -20,7 +20,7 @@
 #include <optional>
 #include <utility>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 namespace {
 
@@ -258,7 +258,7 @@ Chosen solve_by_choice(const std::vector<Scene>& scenes, const Solving& how) {
   Wanted wanted;
   wanted.accuracy = scenes.front().accuracy;  // the same for all scenes of a case
   // A part of a run has its part of the time.
-  if (!wanted.accuracy.relative) wanted.seconds = seconds_by_default / how.share.of;
+  if (!wanted.accuracy.relative) wanted.seconds = seconds_by_default / how.own.of;
   wanted.accuracy.relative = wanted.accuracy.relative.value_or(contact::default_accuracy);
   wanted.progress = how.progress;
   wanted.go_on = how.together;
@@ -267,4 +267,4 @@ Chosen solve_by_choice(const std::vector<Scene>& scenes, const Solving& how) {
   return choose(std::move(subjects), wanted);
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

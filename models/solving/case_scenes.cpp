@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 namespace {
 
@@ -50,10 +50,9 @@ std::vector<std::array<double, 2>> wheel_on_track(const Case& input,
   });
 }
 
-std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
-                                                 const track::SearchScene& search,
-                                                 const std::vector<track::PlacedScene>& scenes) {
-  std::vector<postprocess::PlacedPair> pairs;
+std::vector<result::PlacedPair> drawn_pairs(const Case& input, const track::SearchScene& search,
+                                            const std::vector<track::PlacedScene>& scenes) {
+  std::vector<result::PlacedPair> pairs;
   for (const track::PlacedScene& scene : scenes) {
     const contact::ContactPlace& place = scene.contact.place;
     if (place.patch == 1)
@@ -77,9 +76,9 @@ Case on_common_surface(Case input) {
 }
 
 Scenes scenes_of(const Case& input, const Placed& placed, const contact::Progress& progress,
-                 contact::Checkpoint* kept, contact::Share share) {
+                 contact::Checkpoint* kept, contact::OwnPart own) {
   if (!placed) return {{contact::Scene(input)}, {}, {}};
-  track::BalancedCase balanced = track::balance(input, *placed, progress, kept, share);
+  track::BalancedCase balanced = track::balance(input, *placed, progress, kept, own);
   return {std::move(balanced.scenes), drawn_pairs(input, placed->search, balanced.placed),
           std::move(balanced.notes)};
 }
@@ -94,7 +93,7 @@ std::vector<std::pair<std::string, std::string>> pair_tables(const Case& input,
     if (!list->empty()) list->resize(1);
   const std::vector<track::PlacedScene> scenes = track::make_scenes(first, search);
   std::vector<std::pair<std::string, std::string>> tables;
-  for (const postprocess::PlacedPair& pair : drawn_pairs(first, search, scenes)) {
+  for (const result::PlacedPair& pair : drawn_pairs(first, search, scenes)) {
     const char* side = contact::side_word(pair.left);
     std::string text = fmt::format("# {} wheel, lateral shift {:g} mm\n", side,
                                    first.wheelset.lateral_shift.front());
@@ -137,4 +136,4 @@ std::vector<contact::Scene> unbalanced_scenes(const Case& input, const Placed& p
   return scenes;
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

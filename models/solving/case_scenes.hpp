@@ -3,11 +3,11 @@
 // tables and texts about them.
 #pragma once
 
-#include "contact/base/checkpoint.hpp"
-#include "contact/base/progress.hpp"
-#include "contact/base/share.hpp"
-#include "contact/case/case.hpp"
-#include "postprocess/write/output.hpp"
+#include "base/checkpoint.hpp"
+#include "base/progress.hpp"
+#include "case/case.hpp"
+#include "contact/solve/own_part.hpp"
+#include "result/write/output.hpp"
 #include "track/balance/balance.hpp"
 
 #include <memory>
@@ -15,11 +15,11 @@
 #include <utility>
 #include <vector>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 struct Scenes {
   std::vector<contact::Scene> list;
-  std::vector<postprocess::PlacedPair> pairs;
+  std::vector<result::PlacedPair> pairs;
   std::vector<contact::Note> notes;
 };
 
@@ -32,11 +32,11 @@ Placed placed_wheels(const contact::Case& input);
 /// own (halfspace.surface = "curved").
 contact::Case on_common_surface(contact::Case input);
 
-/// The scenes of a case; with profiles only those at positions in `share`. Balances are stored in
+/// The scenes of a case; with profiles only those at positions in `own`. Balances are stored in
 /// and resumed from `kept`, which may be null. Throws contact::InputError and contact::SolveError.
 Scenes scenes_of(const contact::Case& input, const Placed& placed,
                  const contact::Progress& progress = {}, contact::Checkpoint* kept = nullptr,
-                 contact::Share share = {});
+                 contact::OwnPart own = {});
 
 /// The same without the balance, which takes time.
 std::vector<contact::Scene> unbalanced_scenes(const contact::Case& input, const Placed& placed);
@@ -49,4 +49,4 @@ std::vector<std::pair<std::string, std::string>> pair_tables(const contact::Case
 /// Table of the contacts of a case with profiles; nothing is solved.
 std::string contacts_text(const contact::Case& input, const track::SearchScene& search);
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/solving/solving.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
-#include "contact/result/bars.hpp"
-#include "contact/result/patch_size.hpp"
-#include "contact/result/quantities.hpp"
-#include "contact/result/refinement.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "models/solving/auto_model.hpp"
+#include "result/bars.hpp"
+#include "result/patch_size.hpp"
+#include "result/quantities.hpp"
+#include "result/refinement.hpp"
 #include "track/balance/balance.hpp"
 #include "track/motion/placed_scenes.hpp"
 
@@ -22,11 +22,11 @@
 #include <optional>
 #include <utility>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 namespace {
 
-using postprocess::MissingModel;
+using result::MissingModel;
 
 /// Results, and the models without one.
 struct Solved {
@@ -35,7 +35,7 @@ struct Solved {
   std::exception_ptr conformal;  ///< the contact::ConformalContact for which a model is missing
 };
 
-/// What a call finds at the positions of its share.
+/// What a call finds at the positions of its part.
 struct Part {
   Scenes scenes;
   Solved solved;
@@ -300,7 +300,7 @@ namespace {
 
 Part solve_part(const contact::Case& input, const Placed& wheels, const Solving& how) {
   Part part;
-  part.scenes = scenes_of(input, wheels, how.progress, how.checkpoint, how.share);
+  part.scenes = scenes_of(input, wheels, how.progress, how.checkpoint, how.own);
   const auto able = able_models(input, part.scenes, how, part.solved.missing);
   if (any_choice(*how.models, able))
     part.advice = solve_chosen(able.front(), part.scenes, how, part.solved);
@@ -339,13 +339,13 @@ Part solve_on_fitting_surface(const contact::Case& input, const Placed& wheels,
     if (!part.solved.conformal) return part;
   } catch (const contact::ConformalContact&) {
   }
-  if (static_cast<std::size_t>(how.share.of) >= positions)
+  if (static_cast<std::size_t>(how.own.of) >= positions)
     return solve_on_common_surface(input, wheels, how);
   Part all;
   for (std::size_t k = 0; k < positions; ++k) {
-    if (!how.share.holds(k)) continue;
+    if (!how.own.holds(k)) continue;
     Solving here = how;
-    here.share = {static_cast<int>(k), static_cast<int>(positions)};
+    here.own = {static_cast<int>(k), static_cast<int>(positions)};
     all.append(solve_on_fitting_surface(input, wheels, here));
   }
   return all;
@@ -353,7 +353,7 @@ Part solve_on_fitting_surface(const contact::Case& input, const Placed& wheels,
 
 }  // namespace
 
-std::vector<MissingModel> solve(postprocess::RunRecord& record, const Solving& how) {
+std::vector<MissingModel> solve(result::RunRecord& record, const Solving& how) {
   const Placed wheels = how.placed ? how.placed : placed_wheels(record.input);
   auto [scenes, solved, advice] = solve_on_fitting_surface(record.input, wheels, how);
   record.models = std::move(solved.results);
@@ -373,4 +373,4 @@ std::vector<MissingModel> solve(postprocess::RunRecord& record, const Solving& h
   return solved.missing;
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

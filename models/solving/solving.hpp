@@ -2,19 +2,19 @@
 // Solves the models of a case on all its scenes.
 #pragma once
 
-#include "contact/base/progress.hpp"
-#include "contact/base/share.hpp"
-#include "contact/result/result.hpp"
+#include "base/progress.hpp"
 #include "contact/solve/model.hpp"
+#include "contact/solve/own_part.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/solving/case_scenes.hpp"
-#include "postprocess/write/output.hpp"
+#include "result/result.hpp"
+#include "result/write/output.hpp"
 
 #include <functional>
 #include <string>
 #include <vector>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 struct Solving {
   const contact::ModelRegistry* models = nullptr;
@@ -25,7 +25,7 @@ struct Solving {
   Placed placed;  ///< wheels in position; null: `solve` places them
   contact::Progress progress;
   contact::Checkpoint* checkpoint = nullptr;  ///< may be null
-  contact::Share share;                       ///< positions of the wheelset that this call solves
+  contact::OwnPart own;                       ///< positions of the wheelset that this call solves
   bool first = true;     ///< first process of a parallel run, which alone runs serial models
   bool together = true;  ///< this is the only process
   /// True: a model that cannot take the case, or fails, is listed as missing. False: its exception
@@ -38,7 +38,7 @@ struct Solving {
 /// Throws contact::InputError and contact::SolveError, which name model and patch. With several
 /// processes a failure is thrown even with `go_on`, because the others may be inside a collective
 /// call.
-std::vector<postprocess::MissingModel> solve(postprocess::RunRecord& record, const Solving& how);
+std::vector<result::MissingModel> solve(result::RunRecord& record, const Solving& how);
 
 /// Runs one model on a scene as it is, with progress and checkpoint of its patch. Throws
 /// contact::InputError and contact::SolveError.
@@ -50,4 +50,4 @@ contact::ModelResult run_model(const std::string& name, const contact::Scene& sc
 contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
                                  const std::vector<contact::Note>& notes, const Solving& how);
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/stress/body_sampler.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 namespace {
 
 constexpr int leaf_size = 8;
@@ -209,4 +209,4 @@ BodySample BodySampler::at(const Place& place) const {
   return sample;
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -5,13 +5,13 @@
 // between nodes is of second order in their distance.
 #pragma once
 
-#include "contact/result/result.hpp"
+#include "result/result.hpp"
 
 #include <array>
 #include <string>
 #include <vector>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 using Place = std::array<double, 3>;  ///< mm, global frame
 
@@ -70,4 +70,4 @@ class BodySampler {
   std::vector<Node> tree_;
 };
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/stress/corrected_stress.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "hybrid/stresses.hpp"
 #include "models/fem/fem_models.hpp"
 #include "models/solving/case_scenes.hpp"
@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 namespace {
 
 /// The scene of the patch.
@@ -54,4 +54,4 @@ void add_corrected_stress(const contact::Case& input,
   stresses.finish(grid, 0.0, 0.0, point);
 }
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -2,13 +2,13 @@
 // Stress below the surface of a stored load point whose model corrects half-spaces for true bodies.
 #pragma once
 
-#include "contact/case/case.hpp"
-#include "contact/result/result.hpp"
+#include "case/case.hpp"
+#include "result/result.hpp"
 
 #include <optional>
 #include <vector>
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 
 /// A request of a stored load point.
 struct StoredRequest {
@@ -24,4 +24,4 @@ void add_corrected_stress(const contact::Case& input,
                           const contact::ContactGrid& grid,
                           const std::vector<StoredRequest>& requests, contact::PointResult& point);
 
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files: written completely or not at all, with checksums that detect damage (postprocess/files/seal.hpp)."""
+"""Files: written completely or not at all, with checksums that detect damage (result/files/seal.hpp)."""
 import contextlib
 import csv
 import io

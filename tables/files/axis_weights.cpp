@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tables/files/axis_weights.hpp"
 
-#include "contact/base/knots.hpp"
+#include "base/knots.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tables/files/table_files.hpp"
 
-#include "contact/base/errors.hpp"
-#include "postprocess/files/seal.hpp"
-#include "postprocess/hdf5/hdf5_objects.hpp"
+#include "base/errors.hpp"
+#include "result/files/seal.hpp"
+#include "result/hdf5/hdf5_objects.hpp"
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ std::string values_of(const CreepTable& table, const TablePlace& place) {
          fmt::format("{}", place.first);
 }
 
-using namespace postprocess::hdf5;
+using namespace result::hdf5;
 
 const char* const table_format = "rollfem table";
 /// Version 1 had axis ratios only, version 2 neither load nor speed; their content is unchanged.
@@ -338,7 +338,7 @@ CreepTable read_table(const std::string& path) {
   std::error_code none;
   const std::string file_name =
       fs::is_directory(path, none) ? (fs::path(path) / "table.h5").string() : path;
-  if (!postprocess::hdf5_seal_is_intact(file_name, table_wanted))
+  if (!result::hdf5_seal_is_intact(file_name, table_wanted))
     refuse_file(file_name, "is damaged: its checksum is missing or does not match");
   try {
     const File file = open_file(file_name);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tables/files/table_reader.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tables/filling/table_filling.hpp"
 
-#include "contact/base/threads.hpp"
-#include "contact/result/record.hpp"
+#include "base/threads.hpp"
+#include "result/record.hpp"
 #include "tables/filling/table_source.hpp"
 
 #include <fmt/format.h>
@@ -64,7 +64,7 @@ std::vector<Scaled> creepages_of(const CreepTable& table, const TablePart& part)
 struct TableParts {
   std::string name;        ///< of the records
   std::string stage;       ///< in progress events
-  contact::Share share;    ///< parts to solve; others are only read if stored
+  contact::OwnPart own;    ///< parts to solve; others are only read if stored
   std::size_t points = 0;  ///< in the list
   std::size_t of_a_group = 1;
   /// Called by several threads at once.
@@ -101,7 +101,7 @@ void solve_parts(const TableParts& table, const contact::Progress& progress,
           record.demand(points.size() == parts[p].end - parts[p].begin);
         })) {
       add(p, points);
-    } else if (table.share.holds(p)) {
+    } else if (table.own.holds(p)) {
       missing.push_back(p);
     }
   }
@@ -119,13 +119,13 @@ void solve_parts(const TableParts& table, const contact::Progress& progress,
 }
 
 void fill_grid(CreepTable& table, const TableSource& source, const contact::Progress& progress,
-               contact::Checkpoint* checkpoint, contact::Share share) {
+               contact::Checkpoint* checkpoint, contact::OwnPart own) {
   const std::size_t of_a_place = table.size() / table.nodes();
   table.forces.resize(table.size());
   table.bars.resize(table.size());
   table.elements_across.resize(table.size());
   if (table.over_shifts()) table.along_normal.resize(table.size());
-  TableParts parts{"table", "points", share, table.size(), of_a_place, {}, {}};
+  TableParts parts{"table", "points", own, table.size(), of_a_place, {}, {}};
   parts.solve = [&](const TablePart& part) {
     return source.at_node(part.begin / of_a_place, creepages_of(table, part));
   };
@@ -328,7 +328,7 @@ std::string duration(double seconds) {
 /// Reports how long filling will take from a cold start, from some points in the middle of the
 /// table.
 void forecast(const CreepTable& table, const TableSource& source, int check_points,
-              const contact::Progress& progress, contact::Share share) {
+              const contact::Progress& progress, contact::OwnPart own) {
   constexpr std::size_t sample = 16, worth_a_forecast = 200;
   if (table.size() < worth_a_forecast) return;
   const std::size_t places = table.nodes(), of_a_place = table.size() / places;
@@ -339,8 +339,8 @@ void forecast(const CreepTable& table, const TableSource& source, int check_poin
   static_cast<void>(source.at_node(places / 2, creepages));
   const double of_a_point = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC /
                             static_cast<double>(creepages.size());
-  const double points = static_cast<double>(table.size()) / share.of;
-  const double checks = share.whole() ? 2.0 * check_points : 0.0;  // also along the axes
+  const double points = static_cast<double>(table.size()) / own.of;
+  const double checks = own.whole() ? 2.0 * check_points : 0.0;  // also along the axes
   contact::ProgressEvent event;
   event.model = "table";
   event.stage = "time needed";
@@ -354,14 +354,14 @@ void forecast(const CreepTable& table, const TableSource& source, int check_poin
 }  // namespace
 
 void fill_table(CreepTable& table, const contact::Case& input, const contact::Progress& progress,
-                contact::Checkpoint* checkpoint, contact::Share share) {
+                contact::Checkpoint* checkpoint, contact::OwnPart own) {
   const std::unique_ptr<TableSource> source =
       table.over_shifts() ? wheel_source(input) : ellipse_source(table, input);
   source->prepare(table, progress);
   if (checkpoint == nullptr || !checkpoint->find("table-00000"))
-    forecast(table, *source, input.table.check_points, progress, share);
-  fill_grid(table, *source, progress, checkpoint, share);
-  if (!share.whole()) return;
+    forecast(table, *source, input.table.check_points, progress, own);
+  fill_grid(table, *source, progress, checkpoint, own);
+  if (!own.whole()) return;
   check_interpolation(table, *source, input.table.check_points, progress, checkpoint);
 }
 

@@ -2,10 +2,10 @@
 // Solves the points of a table on all cores; finished parts survive an interrupted run.
 #pragma once
 
-#include "contact/base/checkpoint.hpp"
-#include "contact/base/progress.hpp"
-#include "contact/base/share.hpp"
-#include "contact/case/case.hpp"
+#include "base/checkpoint.hpp"
+#include "base/progress.hpp"
+#include "case/case.hpp"
+#include "contact/solve/own_part.hpp"
 #include "tables/files/creep_table.hpp"
 
 namespace rollfem::tables {
@@ -14,10 +14,10 @@ namespace rollfem::tables {
 /// and scales, and then checks interpolation at the number of random points in the case and, with a
 /// fourth as many each, along every axis. Reports the expected time beforehand as a progress event.
 /// `checkpoint` may be null. Values depend neither on resumed points nor on the number of threads.
-/// With a `share`, only that part of the points is solved and stored for the merging call, and the
-/// table stays incomplete. Throws contact::SolveError if a point does not converge or a wheel does
-/// not touch.
+/// With an `own` part, only that part of the points is solved and stored for the merging call, and
+/// the table stays incomplete. Throws contact::SolveError if a point does not converge or a wheel
+/// does not touch.
 void fill_table(CreepTable& table, const contact::Case& input, const contact::Progress& progress,
-                contact::Checkpoint* checkpoint, contact::Share share = {});
+                contact::Checkpoint* checkpoint, contact::OwnPart own = {});
 
 }  // namespace rollfem::tables

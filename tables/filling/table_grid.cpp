@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tables/filling/table_grid.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/material.hpp"
-#include "contact/base/pi.hpp"
-#include "contact/case/keys/case_keys.hpp"
+#include "base/errors.hpp"
+#include "base/material.hpp"
+#include "base/pi.hpp"
+#include "case/keys/case_keys.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 

@@ -2,7 +2,7 @@
 // The axes of a table, from the section [table] of a case.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "case/case.hpp"
 #include "tables/files/creep_table.hpp"
 
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tables/filling/table_source.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "halfspace/model/rolling_ellipse.hpp"
 #include "tables/filling/table_grid.hpp"
 #include "track/balance/pressed_wheel.hpp"

@@ -2,8 +2,8 @@
 // Solvers for the points of a table: ellipses, or a shifted wheel.
 #pragma once
 
-#include "contact/base/progress.hpp"
-#include "contact/case/case.hpp"
+#include "base/progress.hpp"
+#include "case/case.hpp"
 #include "tables/files/table_reader.hpp"
 
 #include <array>

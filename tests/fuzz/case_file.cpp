@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A case file: read, checked, said back, and the arithmetic that `rollfem check` does with it.
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
-#include "contact/case/checks/plausibility.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/errors.hpp"
+#include "case/checks/plausibility.hpp"
+#include "case/reading/case_reader.hpp"
+#include "scene/scene.hpp"
 #include "theories/elliptic_patch.hpp"
 
 #include "fuzz/target.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // An input file of CONTACT: read, converted, and what is made of it read as a case.
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
+#include "base/errors.hpp"
+#include "case/reading/case_reader.hpp"
 
 #include "convert/contact_reader.hpp"
 #include "convert/conversion.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A lattice of points: undeformed distance, or, when the first byte is `2`, the two columns of
 // slip.
-#include "contact/case/lattice.hpp"
+#include "case/lattice.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include "fuzz/target.hpp"
 

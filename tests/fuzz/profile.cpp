@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A profile: the first line is the name of the file, with `wheel` or `rail` before it and keys that
 // mend behind it; the rest is the file. Read, mended, checked, made a curve.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/profiles.hpp"
 

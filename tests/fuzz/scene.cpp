@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fuzz/scene.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include "rollfem/rollfem.hpp"
 #include <cstdio>

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Conditions on every result at status 0, from the numbers in its files alone: an independent version of the checks
-that the program makes before writing (contact/result/validity.cpp)."""
+that the program makes before writing (result/validity.cpp)."""
 import json
 import math
 

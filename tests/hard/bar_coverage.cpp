@@ -3,7 +3,7 @@
 // finer. benchmarks/bar_coverage.cpp does the same for 1000.
 #include "support/bar_coverage.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 
 #include "support/test.hpp"

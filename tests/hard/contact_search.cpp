@@ -3,7 +3,7 @@
 // treads; and wheels that have left the rail, profiles that end too early.
 #include "track/search/contact_search.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Damaged mesh files: each is quickly read as some mesh or refused with one message.
 // ROLLFEM_DAMAGED=10000 tries as many.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "meshes/msh_file.hpp"
 
 #include "support/damage.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Damaged results and records: none of them is used. ROLLFEM_DAMAGED=10000 tries as many of each.
-#include "contact/base/errors.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/errors.hpp"
 #include "halfspace/model/halfspace_model.hpp"
-#include "postprocess/files/checkpoint_folder.hpp"
-#include "postprocess/files/seal.hpp"
-#include "postprocess/write/output.hpp"
+#include "result/files/checkpoint_folder.hpp"
+#include "result/files/seal.hpp"
+#include "result/write/output.hpp"
+#include "scene/scene.hpp"
 #include "tables/files/table_files.hpp"
 
 #include "support/damage.hpp"
@@ -23,17 +23,17 @@ namespace fs = std::filesystem;
 
 TEST(DamagedResults, AreRefusedBeforeHdf5SeesThem) {
   const TemporaryFolder folder;
-  postprocess::RunRecord run = synthetic_run();
+  result::RunRecord run = synthetic_run();
   run.models.resize(1);
-  const std::string sound = postprocess::results_hdf5(run);
-  ASSERT_TRUE(postprocess::hdf5_seal_is_intact(folder.file("sound.h5", sound), ""));
+  const std::string sound = result::results_hdf5(run);
+  ASSERT_TRUE(result::hdf5_seal_is_intact(folder.file("sound.h5", sound), ""));
   for (int k = 0, files = damaged_files(500); k < files; ++k) {
     Damage damage(static_cast<unsigned long long>(k));
     fs::remove(folder.path("r.h5"));
     const std::string path = folder.file("r.h5", damage.of(sound));
     bool intact = false;
     const std::string said = refusal<contact::InputError>(
-        [&] { intact = postprocess::hdf5_seal_is_intact(path, "name another"); });
+        [&] { intact = result::hdf5_seal_is_intact(path, "name another"); });
     EXPECT_FALSE(intact && said.empty()) << k;
   }
 }
@@ -46,7 +46,7 @@ TEST(DamagedResults, TablesAreRefusedWithOrWithoutTheirHead) {
     Damage damage(static_cast<unsigned long long>(k));
     const std::string bytes = k == 0 ? sound : damage.of(sound);
     fs::remove(folder.path("t.h5"));
-    const std::size_t begin = k % 2 == 0 ? postprocess::seal_size : 0;
+    const std::size_t begin = k % 2 == 0 ? result::seal_size : 0;
     const std::string path = folder.file("t.h5", bytes.substr(std::min(begin, bytes.size())));
     const std::string said = refusal<contact::InputError>([&] { tables::read_table(path); });
     EXPECT_NE(said.find("do: "), std::string::npos) << k << ": " << said;
@@ -54,8 +54,8 @@ TEST(DamagedResults, TablesAreRefusedWithOrWithoutTheirHead) {
 }
 
 /// A folder of records of a case.
-postprocess::CheckpointFolder kept_of(const TemporaryFolder& folder, const std::string& name,
-                                      const std::string& case_text, bool resume, int& warnings) {
+result::CheckpointFolder kept_of(const TemporaryFolder& folder, const std::string& name,
+                                 const std::string& case_text, bool resume, int& warnings) {
   contact::Case input;
   input.text = case_text;
   return {folder.path(name), input, "test", resume, [&](const std::string&) { ++warnings; }};

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contacts where finite elements tend to fail, each with a known answer: mostly the half-space on
 // the same contact elements, for patches so small beside the radii that the bodies are half-spaces.
-#include "contact/base/errors.hpp"
-#include "contact/result/validity.hpp"
+#include "base/errors.hpp"
 #include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "result/validity.hpp"
 
 #include "support/mpi_environment.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Plastic flow far above the limits of shakedown: what hardens settles and does not lock, what
 // cannot be in balance is refused.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include "support/fem_plane_strain.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The normal solver on problems where half-space codes tend to fail, each with a known answer.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/iteration/normal.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Prescribed forces, unlike materials, histories and shapes where half-space codes tend to fail,
 // each with a known answer.
-#include "contact/base/errors.hpp"
-#include "contact/scene/geometry.hpp"
+#include "base/errors.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "scene/geometry.hpp"
 
 #include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Steady rolling where half-space codes tend to fail, each case with a known answer.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/iteration/tangential.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"

@@ -2,7 +2,7 @@
 // Difficult patches: conforming gauge corners, two merging regions, profiles that end.
 #include "support/profile_patches.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/patch/patch_search.hpp"
 

@@ -1,50 +1,54 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks that includes between modules, and between the rooms of a module, run one way.
 
-contact <- halfspace <- fem; theories stand on halfspace; hybrid knows halfspace and is given what fem finds; convert knows cases and closed forms; profiles and meshes know cases and
-scenes, no solver; track places profiles, finds their contacts and balances loads and rotation over them, for which it
-knows halfspace; postprocess knows results, never solvers; models registers what solves, opens fem at run time, and
+base <- case <- scene <- result <- contact <- halfspace <- fem; result keeps results in files and knows no solver;
+theories stand on halfspace; hybrid knows halfspace and is given what fem finds; convert knows cases and closed forms;
+profiles and meshes know cases and scenes, no solver; track places profiles, finds their contacts and balances loads and
+rotation over them, for which it knows halfspace; models registers what solves, opens fem at run time, and
 chooses among models (of which models/choice knows results only); tables fills tables of creep forces and keeps them
 in files; app knows all; of the bindings, interface, which others build on, hands models on, and python
 stands on interface; capi, the C interface, knows the pair of track and files of tables; deal.II is seen in fem and
 in hybrid/correction, which is built into the library of fem.
 No model is told apart by its name: what differs is a property of its entry in the registry (contact/solve/model.hpp).
-Inside contact: base <- case <- scene <- result <- iteration <- solve; the order of the other modules' rooms: ROOMS.
+The order of the rooms of a module: ROOMS.
 """
 
 import re
 
 ANY = None  # every room of that module
 
+SCENES = {"base": ANY, "case": ANY, "scene": ANY}
+SOLVER = {**SCENES, "result": {""}, "contact": ANY}
+
 # Modules that each module, or a room of one, may include.
 ALLOWED = {
-    "contact/base": {},
-    "contact/case": {"contact": {"base"}},
-    "contact/scene": {"contact": {"base", "case"}},
-    "contact/result": {"contact": {"base", "case", "scene"}},
-    "contact/iteration": {"contact": {"base", "scene", "result"}},
-    "contact/solve": {"contact": {"base", "scene", "result", "iteration"}},
-    "halfspace": {"contact": ANY},
-    "theories": {"contact": ANY, "halfspace": ANY},
-    "profiles": {"contact": {"base", "case", "scene"}},
-    "meshes": {"contact": {"base", "case", "scene"}},
-    "postprocess": {"contact": {"base", "case", "scene", "result"}},
-    "track": {"contact": ANY, "halfspace": ANY, "profiles": ANY},
-    "fem": {"contact": ANY, "halfspace": ANY, "meshes": ANY},
-    "hybrid/correction": {"contact": ANY, "halfspace": ANY, "fem": ANY, "hybrid": {""}},
-    "hybrid": {"contact": ANY, "halfspace": ANY},
-    "models/choice": {"contact": {"base", "result"}},
-    "models": {"contact": ANY, "halfspace": ANY, "theories": ANY, "hybrid": ANY, "track": ANY, "postprocess": ANY,
+    "base": {},
+    "case": {"base": ANY},
+    "scene": {"base": ANY, "case": ANY},
+    "result/write": {**SCENES, "result": ANY},
+    "result": {**SCENES},
+    "contact/iteration": {"base": ANY, "scene": ANY, "result": {""}},
+    "contact/solve": {"base": ANY, "scene": ANY, "result": {""}, "contact": {"iteration"}},
+    "halfspace": {**SOLVER},
+    "theories": {**SOLVER, "halfspace": ANY},
+    "profiles": {**SCENES},
+    "meshes": {**SCENES},
+    "track": {**SOLVER, "halfspace": ANY, "profiles": ANY},
+    "fem": {**SOLVER, "halfspace": ANY, "meshes": ANY},
+    "hybrid/correction": {**SOLVER, "halfspace": ANY, "fem": ANY, "hybrid": {""}},
+    "hybrid": {**SOLVER, "halfspace": ANY},
+    "models/choice": {"base": ANY, "result": {""}},
+    "models": {**SOLVER, "result": ANY, "halfspace": ANY, "theories": ANY, "hybrid": ANY, "track": ANY,
                "fem": {"elasticity"}},
-    "convert": {"contact": {"base", "case", "scene"}, "halfspace": {"closed_forms"}},
-    "tables/files": {"contact": {"base", "case"}, "postprocess": {"files", "hdf5"}},
-    "tables": {"contact": ANY, "halfspace": ANY, "track": ANY},
-    "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "models": ANY, "convert": ANY, "meshes": ANY,
-            "profiles": ANY, "track": ANY, "postprocess": ANY, "tables": ANY,
-            "theories": ANY, "fem": {"elasticity"}},
-    "bindings/interface": {"contact": ANY, "postprocess": ANY, "models": ANY},
-    "bindings/python": {"bindings": {"interface"}, "contact": ANY, "halfspace": {"closed_forms", "stress"}, "profiles": ANY, "track": ANY, "models": ANY, "postprocess": ANY, "tables": ANY},
-    "bindings/capi": {"contact": ANY, "track": {"pair"}, "tables": {"files"}},
+    "convert": {**SCENES, "halfspace": {"closed_forms"}},
+    "tables/files": {"base": ANY, "case": ANY, "result": {"files", "hdf5"}},
+    "tables": {**SOLVER, "halfspace": ANY, "track": ANY, "result": ANY},
+    "app": {**SOLVER, "result": ANY, "halfspace": ANY, "hybrid": ANY, "models": ANY, "convert": ANY, "meshes": ANY,
+            "profiles": ANY, "track": ANY, "tables": ANY, "theories": ANY, "fem": {"elasticity"}},
+    "bindings/interface": {**SOLVER, "result": ANY, "models": ANY},
+    "bindings/python": {**SOLVER, "result": ANY, "bindings": {"interface"}, "halfspace": {"closed_forms", "stress"},
+                        "profiles": ANY, "track": ANY, "models": ANY, "tables": ANY},
+    "bindings/capi": {**SOLVER, "track": {"pair"}, "tables": {"files"}},
 }
 # Rooms of a module, each of which may include those before it.
 ROOMS = {
@@ -52,7 +56,8 @@ ROOMS = {
     "fem": ["mesh", "discretisation", "linear", "trace", "stress", "plasticity", "elasticity"],
     "hybrid": ["", "correction"],
     "track": ["placement", "search", "motion", "balance", "pair"],
-    "postprocess": ["files", "hdf5", "write"],
+    "case": ["", "keys", "checks", "reading"],
+    "result": ["", "files", "hdf5", "write"],
     "models": ["program", "caches", "fem", "choice", "solving", "stress", "", "frame"],
     "tables": ["files", "filling"],
     "app": ["frame", "input", "results", "run", ""],
@@ -154,10 +159,10 @@ def self_test():
         return judge(path, line[0], line[1:])
 
     assert verdict("contact/solve/a.cpp", '"halfspace/closed_forms/hertz.hpp')
-    assert verdict("contact/case/a.cpp", '"contact/iteration/normal.hpp')
-    assert verdict("contact/solve/a.cpp", '"contact/case/case.hpp')
+    assert verdict("case/a.cpp", '"contact/iteration/normal.hpp')
+    assert verdict("contact/solve/a.cpp", '"case/case.hpp')
     assert verdict("halfspace/model/a.cpp", '"fem/discretisation/body.hpp')
-    assert verdict("postprocess/write/a.cpp", '"contact/iteration/normal.hpp')
+    assert verdict("result/write/a.cpp", '"contact/iteration/normal.hpp')
     assert verdict("profiles/a.cpp", '"contact/iteration/tangential.hpp')
     assert verdict("track/search/a.cpp", '"track/motion/placed_scenes.hpp')
     assert verdict("halfspace/patch/a.cpp", '"halfspace/model/halfspace_model.hpp')
@@ -177,5 +182,5 @@ def self_test():
     assert not verdict("fem/linear/a.cpp", "<deal.II/base/mpi.h")
     assert not verdict("halfspace/model/a.cpp", '"contact/iteration/normal.hpp')
     assert not verdict("app/a.cpp", '"fem/elasticity/fem_model.hpp')
-    assert not verdict("contact/solve/a.cpp", '"contact/scene/geometry.hpp')
+    assert not verdict("contact/solve/a.cpp", '"scene/geometry.hpp')
     assert not verdict("track/balance/a.cpp", '"track/motion/placed_scenes.hpp')

@@ -6,17 +6,17 @@ import collections
 import pathlib
 import re
 
-MODULES = ("contact", "halfspace", "theories", "profiles", "track", "meshes", "fem", "hybrid", "postprocess", "models",
-           "tables", "convert", "app", "bindings")
+MODULES = ("base", "case", "scene", "result", "contact", "halfspace", "theories", "profiles", "track", "meshes", "fem",
+           "hybrid", "models", "tables", "convert", "app", "bindings")
 # Programs and entry points; sections of a case file (case_keys.hpp); formats of profiles (profile_format.hpp);
 # commands (app/frame/commands.hpp); parts of the modules of Python and C (bindings.hpp, rollfem.h).
-ENTRIES = re.compile(r"(^|/)main\.cpp$|^hybrid/correction/entry\.cpp$|^contact/case/keys/keys_\w+\.cpp$"
+ENTRIES = re.compile(r"(^|/)main\.cpp$|^hybrid/correction/entry\.cpp$|^case/keys/keys_\w+\.cpp$"
                      r"|^profiles/\w+_format\.cpp$|^app/(input|results|run|study)/\w+\.cpp$|^bindings/")
 # Not yet so.
 OPEN_SOURCES = {"app/version_text.cpp", "contact/solve/steep_friction.cpp", "halfspace/patch/potential_area.cpp",
-                "postprocess/hdf5/hdf5_reading.cpp", "postprocess/write/record_check.cpp",
-                "postprocess/write/report.cpp", "postprocess/write/results_hdf5.cpp",
-                "postprocess/write/summary_json.cpp", "track/balance/flange_bending.cpp"}
+                "result/hdf5/hdf5_reading.cpp", "result/write/record_check.cpp",
+                "result/write/report.cpp", "result/write/results_hdf5.cpp",
+                "result/write/summary_json.cpp", "track/balance/flange_bending.cpp"}
 OPEN_HEADERS = {"load_sharing.hpp"}
 
 

@@ -3,7 +3,7 @@
 // grid and on one four times finer.
 #pragma once
 
-#include "contact/result/quantities.hpp"
+#include "result/quantities.hpp"
 
 #include "tests/support/half_space_models.hpp"
 #include "tests/support/random_scenes.hpp"

@@ -2,8 +2,8 @@
 // A small valid case file for the tests, and variations of it.
 #pragma once
 
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
+#include "base/errors.hpp"
+#include "case/reading/case_reader.hpp"
 
 #include "support/temporary_folder.hpp"
 #include "support/test.hpp"

@@ -2,7 +2,7 @@
 // The cases of the folder cases/.
 #pragma once
 
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 
 #include "support/places.hpp"
 #include "support/test.hpp"

@@ -3,7 +3,7 @@
 // the displacement changes by less than 1e-4 of itself.
 #pragma once
 
-#include "contact/result/result.hpp"
+#include "result/result.hpp"
 
 #include "support/test.hpp"
 

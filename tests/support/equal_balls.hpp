@@ -2,7 +2,7 @@
 // A ball of steel that rolls over one like it.
 #pragma once
 
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 
 #include "support/committed_cases.hpp"
 #include <cmath>

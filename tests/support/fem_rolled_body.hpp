@@ -3,7 +3,7 @@
 // it, pass by pass, and the residual stress below its surface.
 #pragma once
 
-#include "contact/base/threads.hpp"
+#include "base/threads.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/plasticity/steady_pass.hpp"

@@ -2,10 +2,10 @@
 // What the tests of finite-element bodies share: MPI, small bodies, random tractions.
 #pragma once
 
-#include "contact/base/grid.hpp"
-#include "contact/scene/contact_surface.hpp"
+#include "base/grid.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/trace/fem_compliance.hpp"
+#include "scene/contact_surface.hpp"
 
 #include "support/mpi_environment.hpp"
 #include "support/random_field.hpp"

@@ -2,15 +2,15 @@
 // A run of several patches on profiles, for the tests of output, figures and report.
 #pragma once
 
-#include "postprocess/write/output.hpp"
+#include "result/write/output.hpp"
 
 #include "support/output_synthetic_run.hpp"
 #include "support/test.hpp"
 
 namespace rollfem::testing {
 
-using postprocess::PlacedPair;
-using postprocess::RunRecord;
+using result::PlacedPair;
+using result::RunRecord;
 
 /// Left wheel at `positions` positions, of which the last has two patches.
 inline RunRecord placed_run(int positions) {

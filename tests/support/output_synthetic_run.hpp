@@ -3,7 +3,7 @@
 // strip Carter's traction, for the tests of output, figures and report.
 #pragma once
 
-#include "postprocess/write/output.hpp"
+#include "result/write/output.hpp"
 
 #include "support/test.hpp"
 
@@ -129,8 +129,8 @@ inline contact::BodyField synthetic_body(const std::string& name) {
 }
 
 /// Hertz (one frictionless point without traction fields), a half-space and a FE result.
-inline postprocess::RunRecord synthetic_run() {
-  postprocess::RunRecord run;
+inline result::RunRecord synthetic_run() {
+  result::RunRecord run;
   run.input.title = "thesis case a: conforming plane";
   run.input.file = "cases/thesis_a.toml";
   run.input.text =

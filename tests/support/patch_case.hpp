@@ -3,7 +3,7 @@
 // on a track the program gets a contact::Scene from track/motion.
 #pragma once
 
-#include "contact/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 #include "support/test.hpp"
 

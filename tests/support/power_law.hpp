@@ -2,7 +2,7 @@
 // A law of friction outside the library, with a constant of its own: falls as 2^(-(s/s_h)^n).
 #pragma once
 
-#include "contact/case/fall_shape.hpp"
+#include "case/fall_shape.hpp"
 
 #include <cmath>
 

@@ -3,8 +3,8 @@
 // and S1002 on the Manchester benchmark's UIC60 from their published arcs and polynomial.
 #pragma once
 
-#include "contact/case/case.hpp"
-#include "contact/scene/patch_geometry.hpp"
+#include "case/case.hpp"
+#include "scene/patch_geometry.hpp"
 
 #include "support/test.hpp"
 

@@ -2,7 +2,7 @@
 // Scenes of S1002 on UIC60: the study's left wheel, and a wheel at its flange.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "case/case.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/test.hpp"

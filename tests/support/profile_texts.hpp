@@ -2,7 +2,7 @@
 // Built-in profiles as text in files, and what is read from them.
 #pragma once
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profiles.hpp"
 

@@ -3,7 +3,7 @@
 // be made again: the tangential solver has to solve them all.
 #pragma once
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"

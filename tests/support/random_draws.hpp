@@ -2,7 +2,7 @@
 // Draws from a seed that are the same on every machine, for the makers of random contacts.
 #pragma once
 
-#include "contact/base/material.hpp"
+#include "base/material.hpp"
 
 #include <cmath>
 #include <random>

@@ -2,7 +2,7 @@
 // Random tractions, and the product of two fields.
 #pragma once
 
-#include "contact/base/grid.hpp"
+#include "base/grid.hpp"
 
 #include "support/test.hpp"
 

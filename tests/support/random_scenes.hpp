@@ -4,8 +4,8 @@
 // realistic patch. Half of the scenes have bodies that are not ellipsoids.
 #pragma once
 
-#include "contact/scene/scene.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "scene/scene.hpp"
 
 #include "tests/support/random_draws.hpp"
 #include <algorithm>

@@ -3,7 +3,7 @@
 // models with finite bodies. One load point each, outside the family of cases a to f.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "case/case.hpp"
 
 #include "tests/support/random_draws.hpp"
 #include <algorithm>

@@ -2,7 +2,7 @@
 // A checkpoint that keeps its records in memory.
 #pragma once
 
-#include "contact/base/checkpoint.hpp"
+#include "base/checkpoint.hpp"
 
 #include "support/test.hpp"
 #include <iterator>

@@ -3,9 +3,9 @@
 // half-space that do not read case files.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "case/case.hpp"
 #include "contact/iteration/tangential.hpp"
-#include "contact/scene/geometry.hpp"
+#include "scene/geometry.hpp"
 
 #include <algorithm>
 #include <cmath>

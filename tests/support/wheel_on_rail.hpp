@@ -2,7 +2,7 @@
 // Pairs and states for tests of rollfem.h: mm, N, mm/s, rad.
 #pragma once
 
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 
 #include "rollfem/rollfem.h"
 #include "support/temporary_folder.hpp"

@@ -3,7 +3,7 @@
 // formulas, and the distance of wheel and rail found by brute force.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "case/case.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "track/search/contact_search.hpp"
 

@@ -4,7 +4,7 @@
 // whose normals differ by 20.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "case/case.hpp"
 
 #include "support/test.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Rails that change along the track and wheels that are not round, against closed forms: where they
 // touch, and what they carry as bodies of the curvatures there.
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "track/motion/placed_scenes.hpp"
 

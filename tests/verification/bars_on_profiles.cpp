@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Error bars of contacts on profiles. References: grids three times as fine; the same profile with
 // nine decimals for one that is rounded to four.
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "track/motion/placed_scenes.hpp"
 

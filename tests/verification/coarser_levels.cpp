@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Auxiliary coarser grids must not refuse a case that the requested grid can solve.
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
+#include "base/errors.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 

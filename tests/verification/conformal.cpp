@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Conformal contact on the curved half-space: CONTACT's deep groove, in which friction carries a
 // part of the load, and its corner in a root, whose sum of pressure is not the force.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 
 #include "support/committed_cases.hpp"

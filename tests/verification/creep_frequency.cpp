@@ -6,10 +6,10 @@
 //   F/F_0 = (J_0 + i J_1)/(J_0 + i k a L (J_0 + i J_1)),   L = ln(2 D/a),  J = J(k a),
 // where the half-planes' displacement is relative to that at the distance D. F_0 is Carter's:
 // xi a pi G/(2 (1 - nu)).
-#include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/point_motion.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
+#include "scene/geometry.hpp"
 
 #include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"

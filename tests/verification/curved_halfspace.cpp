@@ -2,8 +2,8 @@
 // Curved contact of the model halfspace ([halfspace] surface = "curved"). References: the plane
 // limit, rigid-body velocities of the wheel, planar contact with extra slip within its order,
 // CONTACT's extra slip and Persson's conforming cylinder.
-#include "contact/base/errors.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/errors.hpp"
+#include "scene/scene.hpp"
 
 #include "support/half_space_models.hpp"
 #include "support/patch_case.hpp"

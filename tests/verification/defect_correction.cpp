@@ -3,7 +3,7 @@
 // given compliance, and it reports failure to converge.
 #include "contact/solve/defect_correction.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include "support/test.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Friction that falls with the slip velocity where the elasticity is not that of a half-space, and
 // theories that cannot take it (traction curves, layers, memory: the book).
-#include "contact/base/errors.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/errors.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "scene/scene.hpp"
 
 #include "support/half_space_models.hpp"
 #include "support/thesis_cases.hpp"

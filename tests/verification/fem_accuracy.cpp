@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The requested accuracy, by finite elements on case a without friction: reached with an estimate
 // of the right size, or reported as missed.
-#include "contact/result/refinement.hpp"
 #include "fem/elasticity/fem_model.hpp"
+#include "result/refinement.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/mpi_environment.hpp"

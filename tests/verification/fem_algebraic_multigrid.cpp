@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Algebraic multigrid against a direct solver, also on a coarse mesh that geometric multigrid would
 // have to factorise whole. The same program runs on one process and under mpirun.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/linear/algebraic_multigrid.hpp"
 
 #include "support/fem_against_factorisation.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A large flat body under a small loaded rectangle is a half-space: displacement differences
 // against the closed forms of Love and Cerruti behind halfspace::HalfspaceCompliance.
-#include "contact/scene/geometry.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/trace/fem_compliance.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
+#include "scene/geometry.hpp"
 
 #include "support/fem_test_support.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The finite-element model on the thesis's case a, with cells of 0.47 mm: against exact Hertz and
 // against CONTACT's extrapolated creep curve. This is the program's main job.
-#include "contact/result/stress_measures.hpp"
 #include "fem/elasticity/fem_model.hpp"
+#include "result/stress_measures.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/contact_laws.hpp"

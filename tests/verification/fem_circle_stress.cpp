@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Circular contact in finite elements: the largest shear stress of Hertz's theory and its place,
 // and how far the recovered stress at the surface is from the tractions.
-#include "contact/case/case_reader.hpp"
-#include "contact/result/stress_measures.hpp"
+#include "case/reading/case_reader.hpp"
 #include "fem/elasticity/run_level.hpp"
+#include "result/stress_measures.hpp"
 
 #include "support/mpi_environment.hpp"
 #include "support/recorded.hpp"

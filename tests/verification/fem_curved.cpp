@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact of curved conformal patches in finite elements: the flat limit, and the study's case f
 // (rail of 50 mm under a wheel of -51.282 mm) on coarse cells against the half-space.
-#include "contact/scene/contact_surface.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "scene/contact_surface.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/contact_laws.hpp"

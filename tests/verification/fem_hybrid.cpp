@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The hybrid: nothing where bodies are half-spaces, the strain of a loaded wheel where it is one,
 // and the finite elements' pressure and forces where the surfaces are steep.
-#include "contact/base/errors.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/errors.hpp"
 #include "fem/elasticity/fem_model.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/hybrid_compliance.hpp"
 #include "hybrid/hybrid_model.hpp"
+#include "scene/scene.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/elastic_sphere.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Stresses below the surface by the hybrid: Hertz's where bodies are half-spaces, and those of
 // finite elements where they are not.
-#include "contact/result/stress_measures.hpp"
-#include "contact/scene/scene.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/hybrid_model.hpp"
+#include "result/stress_measures.hpp"
+#include "scene/scene.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/mpi_environment.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Nearly incompressible bodies: orders at nu = 0.4999 where plain elements lock, a thick cylinder
 // and its stresses, contact of rubber-like bodies against the half-space.
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/linear/factorisation.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Inertia of steady rolling against closed forms: a spinning ring, a pressure wave that moves over
 // a half-space, the spinning disc behind the wheel's expansion; and that it vanishes as V^2.
-#include "contact/base/errors.hpp"
-#include "contact/base/material.hpp"
+#include "base/errors.hpp"
+#include "base/material.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/linear/factorisation.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Multigrid against a direct solver and a closed form; its convergence. The same program runs on
 // one process and under mpirun on two.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/linear/multigrid.hpp"
 
 #include "support/fem_against_factorisation.hpp"

@@ -3,8 +3,8 @@
 // between two planes. Own meshes of both bodies go through the library's elasticity, factorisation
 // and normal contact solver.
 #include "contact/iteration/normal.hpp"
-#include "contact/result/patch_size.hpp"
 #include "fem/linear/factorisation.hpp"
+#include "result/patch_size.hpp"
 
 #include <Eigen/Cholesky>
 #include <deal.II/base/quadrature_lib.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The model fem on patches of true profiles: circles given as profiles against radii, a sphere
 // about a tilted axle, S1002 on UIC60 against the half-space on the same grid.
-#include "contact/scene/contact_surface.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "scene/contact_surface.hpp"
 
 #include "support/mpi_environment.hpp"
 #include "support/patch_case.hpp"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A small second patch or a near miss beside the main one: finite elements and the hybrid cover it,
 // and the hybrid's correction stays small wherever its contact grid goes.
-#include "contact/base/errors.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/errors.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
@@ -10,6 +9,7 @@
 #include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/hybrid_compliance.hpp"
 #include "hybrid/hybrid_model.hpp"
+#include "scene/scene.hpp"
 
 #include "support/mpi_environment.hpp"
 #include "support/recorded.hpp"

@@ -2,10 +2,10 @@
 // Friction that varies over the inclination of the rail or along the track: full sliding over a
 // crowned rail against the integral of mu times Hertz's pressure, equal points against one law,
 // mirrored wheels, and the models that refuse it.
-#include "contact/base/errors.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "scene/scene.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/half_space_models.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Steady rolling in three dimensions: prescribed forces against creep curves, given pressure, work.
-#include "contact/result/bars.hpp"
-#include "contact/result/derived.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "result/bars.hpp"
+#include "result/derived.hpp"
 
 #include "support/half_space_models.hpp"
 #include "support/thesis_cases.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Shifts and transient rolling against Cattaneo and Mindlin, Spence's datum and the steady solution
 // (reference/benchmarks.md, 3 and 4).
-#include "contact/result/patch_size.hpp"
-#include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "result/patch_size.hpp"
+#include "scene/geometry.hpp"
 
 #include "support/thesis_cases.hpp"
 

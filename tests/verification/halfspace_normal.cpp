@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The normal solver on the half-space against Hertz, a punch, CONTACT and invariants.
 #include "contact/iteration/normal.hpp"
-#include "contact/result/patch_size.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
+#include "result/patch_size.hpp"
 
 #include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // All abilities of the driver hold for the hybrid: without a correction it equals the curved
 // half-space in every kind of problem, and corrections with a closed form are reproduced.
-#include "contact/result/quantities.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "hybrid/hybrid_model.hpp"
+#include "result/quantities.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/committed_cases.hpp"

@@ -4,11 +4,11 @@
 // vanish, and in different planes. References: Hertz with a point load at the distance of the other
 // patch, the joint solution on one grid, and the curved surface, whose normals are those of every
 // place.
-#include "contact/base/pi.hpp"
-#include "contact/result/patch_size.hpp"
+#include "base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
+#include "result/patch_size.hpp"
 #include "track/balance/balance.hpp"
 #include "track/balance/position.hpp"
 

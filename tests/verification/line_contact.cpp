@@ -3,10 +3,10 @@
 // Hertz and Carter in closed form, antiplane shear, Spence's unlike bodies
 // (reference/benchmarks.md, 2, 4 and 5), and the quantities relative to the reference distance.
 // Forces of Carter's, of Bentall and Johnson's and of Nowell and Hills's rollers: the book.
-#include "contact/case/case_reader.hpp"
-#include "contact/result/bars.hpp"
-#include "contact/scene/scene.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
+#include "result/bars.hpp"
+#include "scene/scene.hpp"
 #include "theories/carter.hpp"
 
 #include <fmt/format.h>

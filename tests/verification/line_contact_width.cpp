@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Line contact of bodies of finite width: CONTACT's row of elements, and a roller that is smaller
 // than its patch.
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/errors.hpp"
+#include "case/reading/case_reader.hpp"
+#include "scene/scene.hpp"
 
 #include "support/half_space_models.hpp"
 #include "support/temporary_folder.hpp"

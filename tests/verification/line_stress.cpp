@@ -2,10 +2,10 @@
 // Stress below a line contact in plane strain: McEwen's closed forms of Hertz's pressure and of
 // sliding friction, antiplane shear, long elements of a half-space, and the crane wheel of R. L.
 // Norton (Machine Design, example 7-2).
-#include "contact/case/case_reader.hpp"
-#include "contact/result/stress_measures.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/stress/subsurface.hpp"
+#include "result/stress_measures.hpp"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 // right wheel) lowered vertically as a surface of revolution, its gap along the plane's normal
 // found ray by ray, and the pressure on it from a dense half-space matrix by an active set; nothing
 // of the program's distances, charts, transforms or solvers.
-#include "contact/base/pi.hpp"
-#include "contact/result/patch_size.hpp"
+#include "base/pi.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "result/patch_size.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <Eigen/Cholesky>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The model error of a half-space in thesis cases a to f, by the first-order correction of curved
 // bodies: against finite elements minus half-space and against a derivation by hand.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/model/halfspace_model.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Frictional work over the profile: a Hertzian patch in full sliding and Carter's line contact in
 // closed form, the balance with the creep forces, every model that gives it, and both wheels.
-#include "contact/base/pi.hpp"
-#include "contact/case/case_reader.hpp"
-#include "contact/result/derived.hpp"
+#include "base/pi.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "result/derived.hpp"
 #include "theories/carter.hpp"
 
 #include "support/half_space_models.hpp"

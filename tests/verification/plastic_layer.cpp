@@ -2,15 +2,15 @@
 // A layer between wheel and rail that yields: CONTACT's example plastic_3bl (E. A. H. Vollebregt,
 // user guide, section 5.12; open version r2707), other elasticities, checkpoints and refusals
 // (closed forms, limits and order: the book).
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/iteration/tangential.hpp"
-#include "contact/scene/scene.hpp"
 #include "contact/solve/point_motion.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "scene/scene.hpp"
 
 #include "support/half_space_models.hpp"
 #include "support/temporary_folder.hpp"

@@ -3,7 +3,7 @@
 // CONTACT finds three by different first guesses (E. A. H. Vollebregt & H. M. Schuttelaars, J.
 // Sound Vib. 331 (2012), 2141; example veldep_fric of the open version r2707, cases 1, 2 and 4), on
 // CONTACT's elements with its difference.
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 #include "contact/iteration/tangential.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/contact_run.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Stress below Hertzian contact: CONTACT's values of case a, and the closed forms of the circle
 // with the order at which the grid converges to them (of the line: line_stress.cpp).
-#include "contact/scene/geometry.hpp"
 #include "halfspace/stress/subsurface.hpp"
+#include "scene/geometry.hpp"
 
 #include "support/contact_of_case_a.hpp"
 

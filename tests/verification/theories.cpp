@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The theories against CONTACT (its FASTSIM and its converged half-space solutions of the cases a,
 // c and e) and against the study of 2012.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "theories/carter.hpp"
 #include "theories/closed_forms.hpp"

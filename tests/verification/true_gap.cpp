@@ -2,8 +2,8 @@
 // Reported gap, slip and tractions against the conditions of contact, with distance and
 // displacement recomputed: influence coefficients summed element by element, without the
 // transforms, differences and solvers that found the solution.
-#include "contact/result/validity.hpp"
 #include "halfspace/elasticity/influence.hpp"
+#include "result/validity.hpp"
 
 #include "support/half_space_models.hpp"
 #include "support/patch_case.hpp"

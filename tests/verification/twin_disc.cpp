@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A disc of a twin-disc machine with sharp ends on a wide roller.
-#include "contact/base/pi.hpp"
-#include "contact/result/bars.hpp"
-#include "contact/result/free_ends.hpp"
+#include "base/pi.hpp"
+#include "result/bars.hpp"
+#include "result/free_ends.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/committed_cases.hpp"

@@ -2,7 +2,7 @@
 // A wheelset in balance, checked by its conditions: vertical forces with friction add up to the
 // load on every wheel, free rolling has no torque or no force, patches of one wheel share its load;
 // and a missing balance is reported.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "track/balance/balance.hpp"
 #include "track/motion/placed_scenes.hpp"

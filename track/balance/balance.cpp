@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/balance/balance.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
-#include "contact/result/record.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
+#include "result/record.hpp"
 #include "track/balance/position.hpp"
 
 #include <fmt/format.h>
@@ -155,7 +155,7 @@ BalancedCase balance(const Case& input) {
 
 BalancedCase balance(const Case& input, const PlacedWheels& placed,
                      const contact::Progress& progress, contact::Checkpoint* kept,
-                     contact::Share share) {
+                     contact::OwnPart own) {
   BalancedCase result;
   result.notes = notes_of(input);
   const int count = static_cast<int>(input.wheelset.positions());
@@ -164,7 +164,7 @@ BalancedCase balance(const Case& input, const PlacedWheels& placed,
   event.stage = "balance";
   std::vector<Balanced> positions(static_cast<std::size_t>(count));
   contact::for_each_index(positions.size(), [&](std::size_t k) {
-    if (!share.holds(k)) return;
+    if (!own.holds(k)) return;
     const int position = static_cast<int>(k) + 1;
     contact::ProgressEvent begins = event;
     begins.note = fmt::format("position {} of {}", position, count);

@@ -5,12 +5,12 @@
 // coarse grid.
 #pragma once
 
-#include "contact/base/checkpoint.hpp"
-#include "contact/base/progress.hpp"
-#include "contact/base/share.hpp"
-#include "contact/case/case.hpp"
-#include "contact/result/result.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/checkpoint.hpp"
+#include "base/progress.hpp"
+#include "case/case.hpp"
+#include "contact/solve/own_part.hpp"
+#include "result/result.hpp"
+#include "scene/scene.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <string>
@@ -44,12 +44,12 @@ bool asked_for(const contact::Case& input, const PlacedScene& scene);
 /// contact::InputError and contact::SolveError as find_contacts does.
 std::vector<WheelRailContact> place_wheels(const contact::Case& input, const SearchScene& scene);
 
-/// Balance of wheels placed by place_for_balance. Positions outside `share` are skipped. Balanced
+/// Balance of wheels placed by place_for_balance. Positions outside `own` are skipped. Balanced
 /// positions are restored from `kept` and stored in it; it may be null. Throws contact::SolveError
 /// when there is no balance (friction that would lift the wheel, no rotation without torque).
 BalancedCase balance(const contact::Case& input, const PlacedWheels& placed,
                      const contact::Progress& progress = {}, contact::Checkpoint* kept = nullptr,
-                     contact::Share share = {});
+                     contact::OwnPart own = {});
 
 /// The same, including the placement of the wheels.
 BalancedCase balance(const contact::Case& input);

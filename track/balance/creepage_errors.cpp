@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/balance/creepage_errors.hpp"
 
-#include "contact/result/refinement.hpp"
+#include "result/refinement.hpp"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // Error bars of the creepages at which wheels turn freely.
 #pragma once
 
-#include "contact/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <vector>
 

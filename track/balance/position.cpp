@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/balance/position.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/root.hpp"
-#include "contact/base/threads.hpp"
+#include "base/errors.hpp"
+#include "base/root.hpp"
+#include "base/threads.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "track/balance/creepage_errors.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/balance/pressed_wheel.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "track/balance/position.hpp"
 

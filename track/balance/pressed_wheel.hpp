@@ -3,8 +3,8 @@
 // normal forces. Used to fill tables over lateral shifts.
 #pragma once
 
-#include "contact/case/case.hpp"
-#include "contact/result/result.hpp"
+#include "case/case.hpp"
+#include "result/result.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/motion/placed_scenes.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "profiles/profiles.hpp"

@@ -3,7 +3,7 @@
 // geometry in the frame of the patch, its load and its creepages, ready for any model.
 #pragma once
 
-#include "contact/scene/scene.hpp"
+#include "scene/scene.hpp"
 #include "track/motion/wheelset_motion.hpp"
 #include "track/search/contact_search.hpp"
 

@@ -3,8 +3,8 @@
 // radii and contact angles for the conicity (wheelset_motion.hpp).
 #pragma once
 
-#include "contact/case/case.hpp"
-#include "contact/result/rigid_wheelset.hpp"
+#include "case/case.hpp"
+#include "result/rigid_wheelset.hpp"
 #include "track/placement/wheelset_pose.hpp"
 
 #include <optional>

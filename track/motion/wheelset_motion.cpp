@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/motion/wheelset_motion.hpp"
 
-#include "contact/base/knots.hpp"
-#include "contact/base/pi.hpp"
+#include "base/knots.hpp"
+#include "base/pi.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 // = 1. Frames and signs: docs/track.md.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "case/case.hpp"
 #include "track/search/contact_search.hpp"
 
 #include <Eigen/Core>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/pair/wheel_rail_pair.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/result/validity.hpp"
+#include "base/errors.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "result/validity.hpp"
 #include "track/balance/position.hpp"
 
 #include <fmt/format.h>

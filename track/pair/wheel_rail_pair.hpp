@@ -3,9 +3,9 @@
 // track frame: x along the track, y to the right, z down.
 #pragma once
 
-#include "contact/case/case.hpp"
-#include "contact/result/result.hpp"
+#include "case/case.hpp"
 #include "halfspace/patch/quick_wheel.hpp"
+#include "result/result.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <Eigen/Core>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/placement/along_way.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include <algorithm>
 #include <cmath>

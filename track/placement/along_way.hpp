@@ -4,8 +4,8 @@
 // bodies that do not change (vertical_gap.hpp).
 #pragma once
 
-#include "contact/scene/patch_geometry.hpp"
 #include "profiles/section_surface.hpp"
+#include "scene/patch_geometry.hpp"
 #include "track/placement/placement.hpp"
 
 #include <memory>

@@ -5,10 +5,10 @@
 // right one. Track frame: y_track = Y on the right, -Y on the left.
 #pragma once
 
-#include "contact/case/case.hpp"
-#include "contact/scene/patch_geometry.hpp"
+#include "case/case.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/section_surface.hpp"
+#include "scene/patch_geometry.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/placement/vertical_gap.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/knots.hpp"
-#include "contact/base/root.hpp"
+#include "base/errors.hpp"
+#include "base/knots.hpp"
+#include "base/root.hpp"
 
 #include <fmt/format.h>
 

@@ -13,8 +13,8 @@
 // any height: their tangents are parallel.
 #pragma once
 
-#include "contact/scene/patch_geometry.hpp"
 #include "profiles/profile_curve.hpp"
+#include "scene/patch_geometry.hpp"
 #include "track/placement/along_way.hpp"
 
 #include <array>

@@ -2,7 +2,7 @@
 // Height and roll of a wheelset on its rails; rejects wheels that have left their rails.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "case/case.hpp"
 #include "track/placement/placement.hpp"
 #include "track/placement/vertical_gap.hpp"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/search/contact_search.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
-#include "contact/case/case.hpp"
-#include "contact/scene/geometry.hpp"
-#include "contact/scene/patch_geometry.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
+#include "case/case.hpp"
 #include "profiles/profiles.hpp"
+#include "scene/geometry.hpp"
+#include "scene/patch_geometry.hpp"
 #include "track/placement/along_way.hpp"
 #include "track/placement/vertical_gap.hpp"
 #include "track/placement/wheelset_pose.hpp"

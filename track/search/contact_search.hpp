@@ -3,7 +3,7 @@
 // contact, near misses, and which of them form one patch under load (docs/track.md).
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "case/case.hpp"
 #include "track/placement/wheelset_pose.hpp"
 
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/search/patch_groups.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
-#include "contact/base/root.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
+#include "base/root.hpp"
 #include "halfspace/elasticity/influence.hpp"
 
 #include <fmt/format.h>

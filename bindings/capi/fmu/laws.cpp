@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/capi/fmu/laws.h"
 
-#include "contact/case/fall_shape.hpp"
+#include "case/fall_shape.hpp"
 
 #include <cstdio>
 #include <string>

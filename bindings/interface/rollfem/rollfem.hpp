@@ -5,12 +5,12 @@
 // compatible within a minor version; everything else may change with every commit.
 #pragma once
 
-#include "contact/base/errors.hpp"
-#include "contact/base/progress.hpp"
-#include "contact/case/case.hpp"
-#include "contact/result/quantities.hpp"
-#include "contact/result/result.hpp"
-#include "postprocess/write/output.hpp"
+#include "base/errors.hpp"
+#include "base/progress.hpp"
+#include "case/case.hpp"
+#include "result/quantities.hpp"
+#include "result/result.hpp"
+#include "result/write/output.hpp"
 
 #include <string>
 #include <vector>
@@ -27,10 +27,10 @@ using contact::ProgressEvent;
 using contact::SolveError;
 
 /// A case with its results, one ModelResult for each model and patch.
-using Result = postprocess::RunRecord;
+using Result = result::RunRecord;
 
 /// A model without a result for a case, and why.
-using Missing = postprocess::MissingModel;
+using Missing = result::MissingModel;
 
 /// Reads a case file. Throws InputError with FILE:LINE:COLUMN, key, value, allowed values and
 /// advice.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Reading CONTACT's input files: the layout of lines, data kept from previous cases.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include "convert/contact_reader.hpp"
 #include "convert/input_lines.hpp"

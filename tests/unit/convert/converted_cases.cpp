@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Converted cases of CONTACT: load points, signs, grids, bodies.
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include <fmt/format.h>

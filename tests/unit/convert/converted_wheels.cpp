@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheels of CONTACT without a gauge or a load, on rollers, and displaced by themselves.
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 
 #include <Eigen/Dense>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The digits V, L and M of CONTACT's input, which say where and how friction varies and what is
 // between the bodies, and INISLP: their numbers in the converted case.
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
-#include "contact/scene/friction_law.hpp"
+#include "base/errors.hpp"
+#include "case/reading/case_reader.hpp"
+#include "scene/friction_law.hpp"
 
 #include "convert/contact_reader.hpp"
 #include "convert/conversion.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "hybrid/correction_scene.hpp"
 
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 
 #include "support/places.hpp"
 #include "support/test.hpp"

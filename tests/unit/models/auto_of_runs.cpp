@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `auto` on the contacts of a wheelset, with real half-spaces and a stand-in for finite elements:
 // one model for all of them.
-#include "contact/case/case_reader.hpp"
-#include "contact/result/quantities.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/halfspace_models.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/solving.hpp"
+#include "result/quantities.hpp"
 
 #include "support/case_examples.hpp"
 #include "support/temporary_folder.hpp"
@@ -30,16 +30,16 @@ contact::ModelInfo bodies() {
 
 /// The right wheel: on its tread in the middle of the track (a model error of 0.4 % of mu), near
 /// its flange root at 6 mm (1.6 % of the width).
-postprocess::RunRecord solve(const std::string& shifts, const std::string& head) {
+result::RunRecord solve(const std::string& shifts, const std::string& head) {
   contact::ModelRegistry models;
-  models.add(modelling::auto_model()).add(halfspace::models().at("halfspace")).add(bodies());
-  postprocess::RunRecord record;
+  models.add(models::auto_model()).add(halfspace::models().at("halfspace")).add(bodies());
+  result::RunRecord record;
   record.input = contact::parse_case(
       head + edited(two_positions, {"wheelset.side=right", "wheelset.lateral_shift=" + shifts}),
-      "a.toml", modelling::model_words(models));
-  modelling::Solving how;
+      "a.toml", models::model_words(models));
+  models::Solving how;
   how.models = &models;
-  modelling::solve(record, how);
+  models::solve(record, how);
   return record;
 }
 
@@ -47,7 +47,7 @@ TEST(AutoOfRuns, OneContactThatNeedsAnotherModelChangesTheModelOfAll) {
   const std::string asked = "models = [\"auto\"]\naccuracy = 0.01\n";
   ASSERT_EQ(solve("[2.0]", asked).models.at(0).name, "halfspace");
   ASSERT_EQ(solve("[6.0]", asked).models.at(0).name, "bodies");
-  const postprocess::RunRecord both = solve("[2.0, 6.0]", asked);
+  const result::RunRecord both = solve("[2.0, 6.0]", asked);
   ASSERT_EQ(both.models.size(), 2U);
   for (int k = 0; k < 2; ++k) {
     EXPECT_EQ(both.models[k].name, "bodies");
@@ -60,8 +60,7 @@ TEST(AutoOfRuns, OneContactThatNeedsAnotherModelChangesTheModelOfAll) {
 }
 
 TEST(AutoOfRuns, WithoutTimeForAllOfThemAllKeepTheHalfSpaceAndTheRunSaysSo) {
-  const postprocess::RunRecord some =
-      solve("[2.0, 6.0, 2.0, 2.0, 2.0, 6.0]", "models = [\"auto\"]\n");
+  const result::RunRecord some = solve("[2.0, 6.0, 2.0, 2.0, 2.0, 6.0]", "models = [\"auto\"]\n");
   ASSERT_EQ(some.models.size(), 6U);
   for (const contact::ModelResult& result : some.models) EXPECT_EQ(result.name, "halfspace");
   EXPECT_TRUE(says(some.verdict, "2 of 6 contacts miss 1 %: worst ", "(b)",

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // halfspace.surface = "auto" on a worn wheel whose contacts at tread and root, 0.38 rad apart, grow
 // into each other on a coarse grid: it takes the common surface there, and only there.
-#include "contact/case/case_reader.hpp"
-#include "contact/result/quantities.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/halfspace_models.hpp"
 #include "models/registry.hpp"
 #include "models/solving/solving.hpp"
+#include "result/quantities.hpp"
 
 #include "support/case_examples.hpp"
 #include "support/profile_texts.hpp"
@@ -28,8 +28,8 @@ class FittingSurface : public ::testing::TestWithParam<const char*> {
   }
 
   /// Shifts towards the flange of the wheel.
-  postprocess::RunRecord solve(const std::vector<double>& shifts, const std::string& surface,
-                               bool go_on = false) {
+  result::RunRecord solve(const std::vector<double>& shifts, const std::string& surface,
+                          bool go_on = false) {
     std::string list;
     const bool left = GetParam() == std::string("left");
     for (const double shift : shifts)
@@ -40,13 +40,13 @@ class FittingSurface : public ::testing::TestWithParam<const char*> {
                 "friction.coefficient=0.3", "wheelset.side=" + std::string(GetParam()),
                 "wheelset.lateral_shift=[" + list + "]", "wheelset.roll=0.0",
                 "contact_grid.elements_across=10", "halfspace.surface=" + surface});
-    postprocess::RunRecord record;
+    result::RunRecord record;
     record.input =
-        contact::parse_case(text, folder_.path("case.toml"), modelling::model_words(models_));
-    modelling::Solving how;
+        contact::parse_case(text, folder_.path("case.toml"), models::model_words(models_));
+    models::Solving how;
     how.models = &models_;
     how.go_on = go_on;
-    missing_ = modelling::solve(record, how);
+    missing_ = models::solve(record, how);
     return record;
   }
 
@@ -56,7 +56,7 @@ class FittingSurface : public ::testing::TestWithParam<const char*> {
 
   TemporaryFolder folder_;
   contact::ModelRegistry models_;
-  std::vector<postprocess::MissingModel> missing_;
+  std::vector<result::MissingModel> missing_;
 };
 
 constexpr double both_touch = 5.87;  // mm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Profiles of arcs and polynomials, and profiles from a case.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "profiles/profiles.hpp"
 
 #include "support/profile_texts.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Every fault of a profile file is refused with one message that names the line and the repairing
 // key, and the key repairs it.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "profiles/profiles.hpp"
 
 #include "support/profile_texts.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Files of profiles: every format read, steps bridged and noise smoothed.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/profiles.hpp"

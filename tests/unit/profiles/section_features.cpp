@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Features of sections that are found, and parts of sections that begin or end within the list.
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
 #include "profiles/section_list.hpp"
 
 #include "support/temporary_folder.hpp"

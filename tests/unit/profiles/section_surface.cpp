@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sections joined along the way: what is exact, the order of the rest, features, lists in files.
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
 #include "profiles/section_list.hpp"
 
 #include "support/temporary_folder.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables of creep forces: between their points, under reversal and in the mirror, beyond their end,
 // and through their files.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "tables/files/axis_weights.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/files/table_reader.hpp"

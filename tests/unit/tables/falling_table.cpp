@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A table over the lateral shift with falling friction and a layer: full sliding has the friction
 // of its slip velocity, and what the table does not hold for is refused.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/files/table_reader.hpp"
 #include "tables/filling/table_filling.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables with axes of load and speed against single solutions between their values, of other bodies
 // too; at their values; and refusals.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "tables/files/table_files.hpp"

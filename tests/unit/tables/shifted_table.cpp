@@ -3,7 +3,7 @@
 // units, and through their files.
 #include "support/shifted_table.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/files/table_reader.hpp"
 

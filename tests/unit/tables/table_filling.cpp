@@ -3,8 +3,8 @@
 // sliding; and taken up after an end.
 #include "tables/filling/table_filling.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
+#include "base/errors.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/model/rolling_ellipse.hpp"
 #include "tables/files/table_reader.hpp"

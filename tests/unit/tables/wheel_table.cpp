@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables over the lateral shift of a wheelset: points against single solutions and against the
 // table of the ellipse, jumps of the contact, taken up after an end, and refusals.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "tables/files/table_reader.hpp"

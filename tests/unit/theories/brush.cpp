@@ -2,7 +2,7 @@
 // Brushes along strips and FASTSIM: linear theory, closed forms, order, symmetry.
 #include "theories/brush.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "theories/closed_forms.hpp"
 #include "theories/fastsim.hpp"
 

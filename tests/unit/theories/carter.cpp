@@ -2,7 +2,7 @@
 // Carter's closed form against benchmark numbers, quadrature, and its limits.
 #include "theories/carter.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The ellipse that theories of elliptic patches are given for a patch of profiles.
-#include "contact/base/errors.hpp"
-#include "contact/result/patch_size.hpp"
+#include "base/errors.hpp"
+#include "result/patch_size.hpp"
 
 #include "support/half_space_models.hpp"
 #include "support/profile_scenes.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // FaStrip: Kalker's initial slopes, the friction bound, Carter's line contact, and combined
 // creepage and spin against half-spaces solved by CONTACT.
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
+#include "base/errors.hpp"
+#include "case/reading/case_reader.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Kalker's coefficients: the table, between its entries, beyond it; the forces that follow.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "theories/brush.hpp"
 #include "theories/closed_forms.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Polach's closed form: its limits, its reductions, and friction that falls with the slip velocity.
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 #include "theories/closed_forms.hpp"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 // Models by name, and the effect of the case's sections on them: options of the theories, a given
 // pressure, a quadratic distance, points below the surface.
 
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
+#include "base/errors.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/stress/subsurface.hpp"
 

@@ -2,8 +2,8 @@
 // The strip model: Hertz and Vermeulen-Johnson as its exact limits, profiles beyond the parabola.
 #include "theories/strip.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
+#include "base/errors.hpp"
+#include "case/reading/case_reader.hpp"
 #include "theories/closed_forms.hpp"
 
 #include <fmt/format.h>

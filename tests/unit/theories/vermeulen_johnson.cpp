@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Vermeulen and Johnson's theory against benchmark 8 and its own tractions.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "theories/closed_forms.hpp"
 

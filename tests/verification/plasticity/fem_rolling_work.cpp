@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Balance of work of a rolling contact whose rail yields, by the whole model: what the rigid motion
 // does goes into friction and plastic flow.
-#include "contact/base/threads.hpp"
+#include "base/threads.hpp"
 #include "fem/elasticity/run_level.hpp"
 
 #include "support/equal_balls.hpp"

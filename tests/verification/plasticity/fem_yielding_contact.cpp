@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact of bodies that yield, by the whole model: an elastic limit, equal discs, the pressure
 // that flattens, number of threads, streamlines that may yield.
-#include "contact/base/threads.hpp"
+#include "base/threads.hpp"
 #include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Coulomb's law and friction that falls with slip: formulas, and in the tangential problem.
-#include "contact/scene/friction_law.hpp"
+#include "scene/friction_law.hpp"
 
 #include "contact/iteration/tangential.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // State inherited by a step: upstream interpolation, and slip of steps against a displacement given
 // as a function.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/solve/point_motion.hpp"
 
 #include "support/test.hpp"

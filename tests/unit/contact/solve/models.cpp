@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The registry of models: order, refused names, and messages about models that cannot take a case.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/solve/model.hpp"
 
 #include "support/temporary_folder.hpp"

@@ -2,7 +2,7 @@
 // The search for the creepage of a force, on force laws that are known in closed form.
 #include "contact/solve/prescribed_force.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include "support/temporary_folder.hpp"
 

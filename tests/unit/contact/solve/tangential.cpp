@@ -2,7 +2,7 @@
 // The tangential solver and GMRES on problems small enough to know the answer.
 #include "contact/iteration/tangential.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "contact/iteration/gmres.hpp"
 
 #include <Eigen/LU>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies lie on the true surface, have sound cells, and refuse what cannot be meshed.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/mesh/chart.hpp"
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Points of finite-element bodies: found by inverse mapping, moved onto the surface, mirrored,
 // refused.
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
+#include "base/errors.hpp"
+#include "case/reading/case_reader.hpp"
 #include "fem/discretisation/body_points.hpp"
 #include "fem/stress/stress_output.hpp"
 #include "fem/stress/stress_recovery.hpp"

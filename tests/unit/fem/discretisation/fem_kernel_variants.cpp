@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
 
 #include "support/temporary_folder.hpp"

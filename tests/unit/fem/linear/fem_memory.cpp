@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The message for a run that does not fit in memory, and the count of unknowns before meshing.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/memory.hpp"
 #include "fem/mesh/body_mesh.hpp"

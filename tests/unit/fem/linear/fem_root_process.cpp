@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // One process works for all: the others execute its commands, sleep between them, and end as it
 // ends.
-#include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
+#include "base/errors.hpp"
+#include "base/threads.hpp"
 #include "fem/linear/root_process.hpp"
 
 #include <deal.II/base/mpi.h>

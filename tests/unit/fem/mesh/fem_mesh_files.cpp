@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // gmsh cross-sections and sweeps, mesh files read and written, and every mesh that is refused.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "meshes/gmsh_sections.hpp"
 #include "meshes/grading.hpp"
 #include "meshes/hex_mesh.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Files that gmsh itself writes in every format are read as gmsh reads them; each way in which a
 // file can be wrong has a message with its place.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "meshes/gmsh_session.hpp"
 #include "meshes/msh_file.hpp"
 

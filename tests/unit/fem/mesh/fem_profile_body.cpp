@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Finite-element bodies of true profiles: the chart about a tilted axle, boxes and true sections on
 // the true surface, meshes at the root of the flange.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/multigrid.hpp"
 #include "fem/mesh/chart.hpp"

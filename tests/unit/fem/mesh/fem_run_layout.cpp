@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Default extent of segments.
-#include "contact/case/case_reader.hpp"
+#include "case/reading/case_reader.hpp"
 #include "fem/mesh/run_layout.hpp"
 
 #include "support/test.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies on meshes that are given: put on the true surface, refined, coupled with faces that follow
 // no lattice; and the given meshes that are refused.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/mesh/chart_face.hpp"
 #include "fem/mesh/coarse_mesh.hpp"

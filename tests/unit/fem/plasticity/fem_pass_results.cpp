@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The verdict on a body that yields: over a cycle of load points that alternate, and over passes
 // that are all alike.
-#include "contact/result/record.hpp"
 #include "fem/plasticity/pass_results.hpp"
+#include "result/record.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Material points on streamlines: strain of a displacement in the section's axes, and the load of
 // plastic strain, which is its adjoint.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/plasticity/streamlines.hpp"
 #include "fem/trace/prescribed.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Coupling and compliance: resultants, transpose consistency, symmetry, the mirrored half body.
-#include "contact/base/errors.hpp"
-#include "contact/scene/geometry.hpp"
+#include "base/errors.hpp"
 #include "fem/trace/middle_displacement.hpp"
+#include "scene/geometry.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
 

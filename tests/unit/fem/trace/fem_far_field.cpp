@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The far boundary that moves as a half-space under a point load: prescribed displacement, signs on
 // wheel and rail, linearity, symmetry, and that surface and body show the same displacement.
-#include "contact/case/case_reader.hpp"
-#include "contact/scene/geometry.hpp"
+#include "case/reading/case_reader.hpp"
 #include "fem/trace/far_field.hpp"
 #include "fem/trace/prescribed.hpp"
 #include "halfspace/closed_forms/point_loads.hpp"
+#include "scene/geometry.hpp"
 
 #include "support/fem_body_pair.hpp"
 #include "support/places.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Missing compliance of a lattice of finite elements relative to the half-space, and the resulting
 // displacement at the middles of contact elements.
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 #include "fem/trace/lattice_deficit.hpp"
 #include "fem/trace/middle_displacement.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"

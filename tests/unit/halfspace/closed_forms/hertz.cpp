@@ -2,9 +2,9 @@
 // Hertz's closed forms against published digits, each other and limits.
 #include "halfspace/closed_forms/hertz.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/result/validity.hpp"
-#include "contact/scene/geometry.hpp"
+#include "base/errors.hpp"
+#include "result/validity.hpp"
+#include "scene/geometry.hpp"
 #include "theories/elliptic_patch.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>

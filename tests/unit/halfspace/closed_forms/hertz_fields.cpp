@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Displacement under Hertz's pressure: quadrature, the point load, the closed form of the circle.
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>

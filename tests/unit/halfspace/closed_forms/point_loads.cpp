@@ -3,7 +3,7 @@
 // stress/cell_stress.cpp, and known values on the surface.
 #include "halfspace/closed_forms/point_loads.hpp"
 
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 
 #include "support/cell_state.hpp"
 

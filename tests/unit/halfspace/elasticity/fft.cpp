@@ -2,7 +2,7 @@
 // FFT products of the half-space compliance against direct summation, symmetry, definiteness.
 #include "halfspace/elasticity/fft.hpp"
 
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/influence.hpp"
 

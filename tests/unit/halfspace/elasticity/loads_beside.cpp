@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Displacement under a contact by loads beside it. References: the point loads of Boussinesq and
 // Cerruti on two like bodies, and differences of them.
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 #include "halfspace/closed_forms/point_loads.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 

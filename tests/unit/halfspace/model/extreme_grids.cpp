@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Grids that cannot hold or resolve the patch are refused by arithmetic, with the key, before any
 // iteration fails to converge on them.
-#include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
-#include "contact/scene/scene.hpp"
+#include "base/errors.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "scene/scene.hpp"
 
 #include "support/case_examples.hpp"
 #include "support/temporary_folder.hpp"

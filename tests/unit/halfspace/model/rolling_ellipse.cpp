@@ -3,7 +3,7 @@
 // full sliding: TableFilling).
 #include "halfspace/model/rolling_ellipse.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include "support/test.hpp"
 

@@ -3,7 +3,7 @@
 // closed form of Hertz's law N = C approach^(3/2).
 #include "halfspace/patch/load_sharing.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include "support/patch_case.hpp"

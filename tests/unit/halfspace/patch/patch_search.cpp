@@ -3,12 +3,12 @@
 // describe too, and mirror images.
 #include "halfspace/patch/patch_search.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
-#include "contact/case/case_reader.hpp"
-#include "contact/result/patch_size.hpp"
+#include "base/errors.hpp"
+#include "base/pi.hpp"
+#include "case/reading/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "result/patch_size.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/patch_case.hpp"

@@ -3,7 +3,7 @@
 // equations of elasticity, boundary values, resultants and limits.
 #include "halfspace/stress/cell_stress.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>

@@ -3,10 +3,10 @@
 // influence coefficients of the contact solvers.
 #include "halfspace/stress/subsurface.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/scene/geometry.hpp"
+#include "base/errors.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/stress/cell_stress.hpp"
+#include "scene/geometry.hpp"
 
 #include "support/cell_state.hpp"
 

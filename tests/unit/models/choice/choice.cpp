@@ -3,7 +3,7 @@
 // models, their grids, and the sentence about the choice.
 #include "models/choice/choice.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include "support/temporary_folder.hpp"
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace {
 
-using namespace rollfem::modelling;
+using namespace rollfem::models;
 
 /// Errors of a toy on 16 elements across; they fall with 1/n^1.5.
 struct Toy {

@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace rollfem::modelling;
+using namespace rollfem::models;
 
 Forecast model(const std::string& name, double model_error, double seconds) {
   Forecast forecast;

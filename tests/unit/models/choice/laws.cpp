@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace rollfem::modelling;
+using namespace rollfem::models;
 
 ContactSize thesis(double half_length, double half_width, double radius_across) {
   ContactSize size;

@@ -4,7 +4,7 @@
 
 #include "support/temporary_folder.hpp"
 
-using rollfem::modelling::progress_line;
+using rollfem::models::progress_line;
 
 namespace {
 

@@ -3,11 +3,11 @@
 // skew cells of different size; places outside are moved or refused.
 #include "models/stress/body_sampler.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include "support/temporary_folder.hpp"
 
-namespace rollfem::modelling {
+namespace rollfem::models {
 namespace {
 
 /// A block of nx by ny by nz cells over [-3, 3] x [-2, 2] x [-4, 0]: `bend` maps the places.
@@ -159,4 +159,4 @@ TEST(BodySampler, ABodyWithoutStressIsRefused) {
 }
 
 }  // namespace
-}  // namespace rollfem::modelling
+}  // namespace rollfem::models

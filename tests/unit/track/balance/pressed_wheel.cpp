@@ -3,7 +3,7 @@
 // the model halfspace has them and of two in other planes as sums on the track.
 #include "track/balance/pressed_wheel.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "track/balance/position.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Invalid results are refused: overlapping patches, a grid without its reference, shares that do
 // not add up, an approach that parts the bodies.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "track/balance/balance.hpp"
 
 #include "support/temporary_folder.hpp"

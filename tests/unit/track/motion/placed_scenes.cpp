@@ -2,7 +2,7 @@
 // Scenes: one case for each patch, with load, creepages and geometry of its own.
 #include "track/motion/placed_scenes.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"

@@ -2,7 +2,7 @@
 // Rolling radii over the lateral shift against the conicity of circular profiles in closed form.
 #include "track/motion/rigid_touch.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "track/motion/placed_scenes.hpp"
 #include "track/motion/wheelset_motion.hpp"
 

@@ -2,7 +2,7 @@
 // Rails by gauge and inclination, axles by flange backs, shift, yaw and roll.
 #include "track/placement/placement.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sections with two heads: which gauge face counts, what the message asks, and that the wheel sees
 // both heads and the groove between them.
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 #include "profiles/profiles.hpp"
 #include "track/motion/placed_scenes.hpp"
 

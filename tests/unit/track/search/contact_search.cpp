@@ -2,7 +2,7 @@
 // Contact search against closed forms: spheres on cylinders, humps of known height, mirror images.
 #include "track/search/contact_search.hpp"
 
-#include "contact/base/errors.hpp"
+#include "base/errors.hpp"
 
 #include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"

@@ -2,7 +2,7 @@
 // Lists of equal sections are the plain profile: wheel, rail and both, left and right, by
 // themselves and in a wheelset, on rails, rollers and in rings, straight, shifted, rolled and
 // yawed.
-#include "contact/base/pi.hpp"
+#include "base/pi.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "track/motion/placed_scenes.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheels on rollers and in rings, and poses without a gauge, against closed forms: spheres touch on
 // the line between their centres, whatever their axles; a roller of endless radius is a rail.
-#include "contact/scene/geometry.hpp"
+#include "scene/geometry.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/wheel_rail_cases.hpp"

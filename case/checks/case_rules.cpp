@@ -1,0 +1,549 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Tables of dependencies between keys, and the check of a case against them.
+#include "case/checks/case_rules.hpp"
+
+#include "case/keys/case_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// Keys that are not allowed if the condition holds: "section.name", with at most one *. In the
+/// texts, {problem} stands for the problem, {slip} for extra_slip, {law} for the friction law and
+/// {laws} for those that fall.
+struct Exclusion {
+  Condition where;
+  std::vector<const char*> keys;
+  const char* wrong;
+  const char* allowed;
+  const char* action;
+  bool defaults_too = false;  ///< also rejected with a value that has no effect
+};
+
+/// Alternative keys: at most one of them is allowed.
+struct Rivals {
+  std::vector<const char*> keys;
+  const char* why;  ///< added to "contradicts ..."; may be empty
+  const char* allowed;
+  bool by_point = false;  ///< a list with nan leaves these load points to the other key
+};
+
+/// One of these keys is required where the condition holds.
+struct Need {
+  Condition where;
+  std::vector<const char*> one_of;
+  const char* wrong;
+  const char* allowed;
+  const char* action;
+};
+
+constexpr const char* no_extent = "applies to contacts of finite width, but geometry.shape is line";
+constexpr const char* is_rigid = "belongs to a rigid body, which is not meshed";
+constexpr const char* elastic = "a body with a finite young_modulus";
+constexpr const char* make_elastic = "remove it, or give a finite young_modulus";
+constexpr const char* rollers = "line contact of rollers, rolling straight ahead";
+
+constexpr const char* shape = "either a profile or what replaces the shapes, not both";
+constexpr const char* along_x = ", which also determines the creepage along x";
+constexpr const char* one_along_x =
+    "at most one of free_rolling, rotation_change, longitudinal_creepage and longitudinal_force";
+
+const std::vector<Exclusion> exclusions{
+    {!when::line,
+     {"geometry.width", "geometry.relative_radius", "geometry.reference_distance"},
+     "applies to line contact, but geometry.shape is point",
+     "with shape = \"line\"",
+     "write `shape = \"line\"` under [geometry], or remove it"},
+    {when::line,
+     {"*.transverse_radius", "*.profile", "undeformed_distance.*"},
+     no_extent,
+     rollers,
+     "remove it; the radius of a line contact is geometry.relative_radius"},
+    {when::line,
+     {"rolling.spin", "history.spin_shift"},
+     "is a rotation about the normal, which endless rollers do not allow",
+     rollers,
+     "remove it, or geometry.shape"},
+    {when::line,
+     {"given_pressure.*", "rolling.extra_slip_file", "halfspace.surface"},
+     no_extent,
+     rollers,
+     "remove it, or geometry.shape"},
+    {when::line,
+     {"halfspace.model_error"},
+     "needs bodies of finite width, but geometry.shape is line",
+     rollers,
+     "remove it, or geometry.shape"},
+    {!when::yields,
+     {"fem.passes", "fem.pass_pressure", "fem.limit_state", "fem.plastic_extent"},
+     "is for bodies that yield, but this case has none",
+     "with [rail_plasticity] or [wheel_plasticity]",
+     "add `yield_stress = 520.0` under [rail_plasticity], or remove it"},
+    {when::rigid("wheel"), {"wheel.mesh", "wheel_plasticity.*"}, is_rigid, elastic, make_elastic},
+    {when::rigid("rail"), {"rail.mesh", "rail_plasticity.*"}, is_rigid, elastic, make_elastic},
+    {!when::profiles || !when::has("fem", "mesh") || when::is("fem", "mesh", "structured"),
+     {"fem.rim_thickness"},
+     "is of the wheel's true section, which this case does not mesh",
+     "with profiles and mesh = \"gmsh\"",
+     "write `mesh = \"gmsh\"` under [fem], or remove it"},
+    {when::off("output", "fields"),
+     {"output.body_fields"},
+     "has no effect, because output.fields is false",
+     "with fields = true",
+     "remove one of the two"},
+    {when::yields,
+     {"fem.inertia"},
+     "is for elastic bodies, but this case has bodies that yield",
+     "without [rail_plasticity] and [wheel_plasticity]",
+     "remove one of the two"},
+    {when::steps || when::given_pressure || when::line || when::own_mesh,
+     {"wheel_plasticity.*", "rail_plasticity.*"},
+     "is for steady rolling of bodies of finite width, meshed by rollfem, under a contact that is "
+     "found",
+     "rolling.problem steady or frictionless, with radii or profiles",
+     "remove the section, or what it does not go with"},
+    {!when::profiles,
+     {"load.vertical_force"},
+     "is for wheels and rails with profiles, but this case has none",
+     "profiles of both bodies, or radii without it",
+     "write `normal_force` instead, or give wheel.profile and rail.profile"},
+    {when::profiles || when::has("undeformed_distance", "file"),
+     {"load.max_pressure"},
+     "is that of Hertz's ellipse or line, but the shapes of this case are not circles",
+     "with radii, undeformed_distance.quadratic or geometry.shape = \"line\"",
+     "give a force or an approach instead"},
+    {!when::profiles,
+     {"track.*", "wheelset.*", "placement.*", "wheel_displacement.*", "rail_displacement.*"},
+     "places profiles, but this case has none",
+     "profiles of both bodies, or radii without it",
+     "give wheel.profile and rail.profile, or remove it",
+     true},
+    {when::placement,
+     {"track.*", "wheelset.*", "wheel_displacement.*", "rail_displacement.*"},
+     "is of a wheelset on a track, but [placement] gives the pose of a wheel on the rail",
+     "[placement] alone, or [track] and [wheelset]",
+     "remove it, or [placement]",
+     true},
+    {!when::has("wheelset", "vertical_velocity"),
+     {"wheel_displacement.vertical_velocity", "rail_displacement.vertical_velocity"},
+     "has no effect, because the wheel follows its rail at any vertical velocity",
+     "together with wheelset.vertical_velocity, with which it does not",
+     "give the vertical_velocity of the wheelset too, or remove it"},
+    {when::profiles && !when::placement && !when::has("track", "rail_position") &&
+         !when::has("track", "gauge_face"),
+     {"rail_profile.free_ends"},
+     "leaves no gauge face to be found, because the profile ends where the side face begins",
+     "with [placement], track.rail_position or track.gauge_face",
+     "say where the rail is by one of these"},
+    {!when::rail_profile,
+     {"wheel.profile"},
+     "is given alone: rail.profile is missing",
+     "profiles of both bodies, or of none",
+     "add `profile = \"60E1\"` under [rail]; \"arcs\" builds one from radii"},
+    {!when::wheel_profile,
+     {"rail.profile"},
+     "is given alone: wheel.profile is missing",
+     "profiles of both bodies, or of none",
+     "add `profile = \"S1002\"` under [wheel]; \"arcs\" builds one from radii"},
+    {when::torque_of_one,
+     {"wheelset.free_rolling"},
+     "needs both wheels, because their forces balance each other",
+     "\"torque\" with side = \"both\", or \"force\" for each wheel separately",
+     "write `side = \"both\"` under [wheelset]"},
+    {when::steps,
+     {"wheelset.free_rolling", "placement.free_rolling"},
+     "is for steady rolling, and rolling.problem is {problem}",
+     "free rolling with the problem steady",
+     "remove it"},
+    {when::given_pressure,
+     {"load.approach", "load.vertical_force", "load.max_pressure", "history.normal_force",
+      "history.approach"},
+     "does not go together with [given_pressure]",
+     "exactly one of load.normal_force and given_pressure.max_pressure",
+     "remove one of the two"},
+    {when::frictionless,
+     {"rolling.*_force"},
+     "is not possible without friction",
+     "a force with the problems steady, shift, transient",
+     "remove it, or choose another rolling.problem"},
+    {when::frictionless,
+     {"wheelset.free_rolling", "placement.free_rolling"},
+     "has no effect without friction (problem frictionless)",
+     "free rolling with the problem steady",
+     "remove it, or choose `problem = \"steady\"`"},
+    {when::shift,
+     {"rolling.*_creepage", "rolling.spin"},
+     "has no meaning without rolling (problem shift)",
+     "shifts or forces with the problem shift",
+     "give longitudinal_shift, lateral_shift or spin_shift under [history]"},
+    {when::frictionless,
+     {"rolling.*_creepage", "rolling.spin"},
+     "has no effect without friction (problem frictionless)",
+     "creepages with the problems steady and transient",
+     "remove it, or choose `problem = \"steady\"`"},
+    {!when::steps,
+     {"history.*"},
+     "is a step of a history, but rolling.problem is {problem}",
+     "[history] with the problems shift and transient",
+     "write `problem = \"shift\"` or `problem = \"transient\"` under [rolling], or remove "
+     "[history]"},
+    {when::transient,
+     {"history.*_shift"},
+     "belongs to the problem shift, but here the bodies roll",
+     "creepages and step_length with the problem transient",
+     "give the creepage under [rolling], or choose `problem = \"shift\"`"},
+    {when::shift,
+     {"history.step_length", "history.start"},
+     "belongs to the problem transient, but here nothing rolls",
+     "shifts with the problem shift",
+     "remove it, or choose `problem = \"transient\"`"},
+    {!when::slip_from_file,
+     {"rolling.extra_slip_file"},
+     "is not used, because extra_slip is {slip}",
+     "a file with extra_slip = \"file\"",
+     "write `extra_slip = \"file\"`, or remove the file"},
+    {when::slip_from_file && (when::shift || when::frictionless),
+     {"rolling.extra_slip"},
+     "has no meaning with the problem {problem}",
+     "\"none\", or the problems steady and transient",
+     "remove it"},
+    {when::slip_from_file && !when::has("rolling", "extra_slip_file"),
+     {"rolling.extra_slip"},
+     "names no file",
+     "`file` with extra_slip_file",
+     "add `extra_slip_file = \"slip.csv\"` under [rolling]"},
+    // A given mesh is clamped at its group `fixed`, which need not enclose it.
+    {when::own_mesh,
+     {"fem.far_boundary"},
+     "applies to segments meshed by rollfem, but this case provides a mesh",
+     "\"clamped\"",
+     "remove fem.far_boundary, or the mesh"},
+    {!when::friction_falls,
+     {"friction.kinetic_coefficient", "friction.half_velocity", "friction.second_*",
+      "friction.polach_*", "friction.memory_*", "friction.branch"},
+     "is of friction that falls with the slip velocity, but friction.law is constant",
+     "with the laws {laws}",
+     "write `law = \"exponential\"` under [friction], or remove it"},
+    {when::friction_falls && when::no_polach,
+     {"friction.polach_*"},
+     "is of the exponential law, but friction.law is {law}",
+     "with law = \"exponential\"",
+     "give kinetic_coefficient and half_velocity instead, or choose the exponential law"},
+    {!when::second_part,
+     {"friction.second_half_velocity"},
+     "is not used, because second_part is not given",
+     "together with second_part",
+     "add second_part under [friction], or remove it"},
+    {!when::memory,
+     {"friction.memory_velocity"},
+     "is not used, because memory_distance is not given",
+     "together with memory_distance",
+     "add memory_distance under [friction], or remove it"},
+    {!when::profiles,
+     {"friction.inclination", "friction.track_position"},
+     "is of friction that varies over the rail, but this case has no profiles",
+     "with profiles of both bodies, or one number as friction.coefficient",
+     "give wheel.profile and rail.profile (\"arcs\" builds them from radii), or remove it",
+     true},
+    {when::profiles,
+     {"friction.lateral_position"},
+     "is of contacts without profiles",
+     "friction over the rail as friction.inclination",
+     "give inclination instead",
+     true},
+    {!(when::varies_along_track || when::rail_sections),
+     {"wheelset.track_position", "placement.track_position"},
+     "is not used, because neither the rail nor friction.track_position changes along the track",
+     "together with friction.track_position or sections as rail.profile",
+     "add track_position under [friction], or remove it",
+     true},
+    {!when::wheel_sections,
+     {"wheelset.wheel_angle", "placement.wheel_angle"},
+     "is not used, because the wheel is round",
+     "together with sections as wheel.profile",
+     "remove it",
+     true}};
+
+const std::vector<Rivals> rivals{
+    {{"wheel.transverse_radius", "wheel.profile"},
+     "",
+     "exactly one of profile and transverse_radius"},
+    {{"rail.transverse_radius", "rail.profile"},
+     "",
+     "exactly one of profile and transverse_radius"},
+    {{"wheel.round_to", "wheel.profile"}, "", "exactly one of profile and round_to"},
+    {{"rail.round_to", "rail.profile"}, "", "exactly one of profile and round_to"},
+    {{"undeformed_distance.quadratic", "undeformed_distance.file"},
+     "",
+     "at most one of quadratic and file"},
+    {{"undeformed_distance.*", "wheel.profile"}, "", shape},
+    {{"given_pressure.*", "wheel.profile"}, "", shape},
+    {{"given_pressure.*", "undeformed_distance.*"}, "", "at most one of the two sections"},
+    {{"track.rail_position", "track.gauge"}, "", "at most one of gauge and rail_position"},
+    {{"track.rail_position", "track.gauge_height"},
+     ", which is of the gauge",
+     "rail_position alone"},
+    {{"wheelset.free_rolling", "wheelset.rotation_change", "rolling.longitudinal_creepage"},
+     along_x,
+     one_along_x},
+    {{"wheelset.free_rolling", "wheelset.rotation_change", "rolling.longitudinal_force"},
+     along_x,
+     one_along_x},
+    {{"placement.free_rolling", "placement.rotation_change", "rolling.longitudinal_creepage"},
+     along_x,
+     one_along_x},
+    {{"placement.free_rolling", "placement.rotation_change", "rolling.longitudinal_force"},
+     along_x,
+     one_along_x},
+    {{"rolling.longitudinal_creepage", "rolling.longitudinal_force"}, along_x, one_along_x, true},
+    {{"rolling.lateral_creepage", "rolling.lateral_force"},
+     ", which follows from the force",
+     "at most one of lateral_force and lateral_creepage",
+     true},
+    {{"history.longitudinal_shift", "rolling.longitudinal_force"},
+     ", which follows from the force",
+     "at most one of longitudinal_force and longitudinal_shift",
+     true},
+    {{"history.lateral_shift", "rolling.lateral_force"},
+     ", which follows from the force",
+     "at most one of lateral_force and lateral_shift",
+     true},
+    {{"load.normal_force", "load.approach", "load.vertical_force", "load.max_pressure",
+      "given_pressure.max_pressure", "history.normal_force", "history.approach", "wheelset.height",
+      "placement.height"},
+     "",
+     "exactly one of normal_force, approach, vertical_force, max_pressure and, with profiles, "
+     "height; with [given_pressure], of normal_force and its max_pressure"},
+    {{"friction.kinetic_coefficient", "friction.polach_a"},
+     "",
+     "at most one of kinetic_coefficient and polach_a"},
+    {{"friction.half_velocity", "friction.polach_b"},
+     "",
+     "at most one of half_velocity and polach_b"},
+    {{"friction.inclination", "friction.track_position", "friction.lateral_position"},
+     "",
+     "at most one of inclination, track_position and lateral_position"},
+    {{"contact_grid.elements_across", "contact_grid.cell_size"},
+     "",
+     "at most one of elements_across and cell_size"}};
+
+const std::vector<Need> needs{
+    {when::line,
+     {"geometry.relative_radius", "wheel.rolling_radius"},
+     "is missing, and wheel.rolling_radius too",
+     "one of them: a line contact needs a radius along rolling",
+     "add `relative_radius = 405.0` under [geometry]"},
+    {when::profiles && !when::placement,
+     {"track.inclination"},
+     "is missing",
+     "\"none\", \"1:20\", \"1:40\", any other ratio, or an angle in rad; there is no default, "
+     "because it moves the contact",
+     "add `inclination = \"1:40\"` under [track]"},
+    {when::given_pressure,
+     {"load.normal_force", "given_pressure.max_pressure"},
+     "is missing, and given_pressure.max_pressure too",
+     "exactly one of load.normal_force and given_pressure.max_pressure",
+     "add `normal_force = 50e3` under [load]"},
+    {when::profiles && !when::given_pressure,
+     {"load.normal_force", "load.approach", "load.vertical_force", "history.normal_force",
+      "history.approach", "wheelset.height", "placement.height"},
+     "is missing, and load.approach too",
+     "exactly one of normal_force, approach, vertical_force and wheelset.height or "
+     "placement.height",
+     "add `vertical_force = 50e3` under [load]"},
+    {!when::profiles && !when::given_pressure,
+     {"load.normal_force", "load.approach", "load.max_pressure", "history.normal_force",
+      "history.approach"},
+     "is missing, and load.approach too",
+     "exactly one of normal_force, approach and max_pressure",
+     "add `normal_force = 50e3` under [load]"},
+    {when::transient,
+     {"history.step_length"},
+     "is missing",
+     "with the problem transient, the distance rolled in each step, in mm",
+     "add `step_length = 0.1` under [history]"},
+    {when::given_pressure,
+     {"given_pressure.semi_axis_x"},
+     "is missing",
+     "both semi-axes of the ellipse in mm",
+     "add `semi_axis_x = 5.0` under [given_pressure]"},
+    {when::given_pressure,
+     {"given_pressure.semi_axis_y"},
+     "is missing",
+     "both semi-axes of the ellipse in mm",
+     "add `semi_axis_y = 5.0` under [given_pressure]"},
+    {when::friction_falls,
+     {"friction.kinetic_coefficient", "friction.polach_a"},
+     "is missing",
+     "the coefficient to which friction falls with the slip velocity",
+     "add `kinetic_coefficient = 0.1` under [friction], or write `law = \"constant\"`"},
+    {when::friction_falls,
+     {"friction.half_velocity", "friction.polach_b"},
+     "is missing",
+     "the slip velocity in mm/s at which half of the fall is done",
+     "add `half_velocity = 1000.0` under [friction], or write `law = \"constant\"`"},
+    {when::friction_falls && when::second_part,
+     {"friction.second_half_velocity"},
+     "is missing",
+     "the slip velocity in mm/s at which half of second_part is left",
+     "add `second_half_velocity = 1e4` under [friction], or remove second_part"},
+    {when::friction_falls && !when::shift && !when::frictionless,
+     {"rolling.speed"},
+     "is missing, and the friction depends on the slip velocity (friction.law)",
+     "the rolling speed in mm/s",
+     "add `speed = 10e3` under [rolling], or write `law = \"constant\"` under [friction]"},
+    {when::lists_over("friction points"),
+     {"friction.inclination", "friction.track_position", "friction.lateral_position"},
+     "is missing: nothing says where on the rail the several numbers of [friction] apply",
+     "as many places as numbers: inclination, track_position or lateral_position; or one number",
+     "give the inclination of the rail at each, say `inclination = [-1.2, -0.4, 0.0]` under "
+     "[friction], or one number"},
+    {when::varies_along_track || when::rail_sections,
+     {"wheelset.track_position", "placement.track_position"},
+     "is missing, and rail or friction depend on it (rail.profile, friction.track_position)",
+     "one position along the track, mm, for each position of the wheelset",
+     "add `track_position = 0.0` under [wheelset], or under [placement]"},
+    {when::wheel_sections,
+     {"wheelset.wheel_angle", "placement.wheel_angle"},
+     "is missing, and the wheel depends on it (wheel.profile)",
+     "an angle about the axle, rad, for each position of the wheelset",
+     "add `wheel_angle = 0.0` under [wheelset], or under [placement]"},
+    {when::rail_sections && !when::placement,
+     {"track.rail_position"},
+     "is missing, and no gauge places a rail that changes along the track",
+     "where the origin of the rail's profiles is",
+     "add `rail_position = [750.0, 0.0]` under [track], from the middle of the track outwards and "
+     "down"},
+    {when::layer,
+     {"layer.thickness"},
+     "is missing",
+     "thickness and shear_modulus of the layer",
+     "add `thickness = 0.02` under [layer]"},
+    {when::layer,
+     {"layer.shear_modulus"},
+     "is missing",
+     "thickness and shear_modulus of the layer",
+     "add `shear_modulus = 800.0` under [layer]"},
+    {when::has("layer", "hardening"),
+     {"layer.yield_stress"},
+     "is missing",
+     "the shear stress at which the layer yields, before it hardens or softens",
+     "add `yield_stress = 200.0` under [layer], or remove hardening"}};
+
+/// Whether a path matches "section.name" with at most one *.
+bool matches(const std::string& pattern, const std::string& path) {
+  const std::size_t star = pattern.find('*');
+  if (star == std::string::npos) return pattern == path;
+  const std::size_t after = pattern.size() - star - 1;
+  return path.size() >= star + after && path.compare(0, star, pattern, 0, star) == 0 &&
+         path.compare(path.size() - after, after, pattern, star + 1, after) == 0;
+}
+
+/// A value without effect: the default, no curvature, no motion.
+bool asks_for_nothing(const Key& key, const GivenValue& given) {
+  static const Case defaults = default_case();
+  if (key.get(defaults) == given.value) return true;
+  if (const auto* number = std::get_if<double>(&given.value)) return std::isinf(*number);
+  if (const auto* text = std::get_if<std::string>(&given.value)) return *text == "planar";
+  const auto* numbers = std::get_if<std::vector<double>>(&given.value);
+  return numbers != nullptr && key.unit != "N" &&
+         std::all_of(numbers->begin(), numbers->end(), [](double number) { return number == 0.0; });
+}
+
+/// Two defaults also contradict each other.
+bool is_none(const Key&, const GivenValue& given) {
+  return given.value == KeyValue(std::string("none"));
+}
+
+using Given = std::map<const Key*, GivenValue>::value_type;
+
+/// The first key of the file that matches a pattern and has an effect; null if none.
+const Given* find_match(const GivenCase& given, const char* pattern,
+                        bool (*nothing)(const Key&, const GivenValue&)) {
+  for (const Given& one : given.values)
+    if (matches(pattern, one.first->path()) && !nothing(*one.first, one.second)) return &one;
+  return nullptr;
+}
+
+std::string falling_laws() {
+  std::vector<std::string> words;
+  for (const FallShape& shape : fall_shapes())
+    if (shape != FallShape::none) words.emplace_back(shape.word);
+  return joined(words);
+}
+
+void check_exclusion(const GivenCase& given, const Exclusion& rule) {
+  if (!rule.where(given)) return;
+  for (const char* pattern : rule.keys) {
+    const Given* found = find_match(given, pattern, rule.defaults_too ? is_none : asks_for_nothing);
+    if (found == nullptr) continue;
+    const auto filled = [&](const char* text) {
+      return fmt::format(
+          fmt::runtime(text), fmt::arg("problem", word_of(given, "rolling", "problem")),
+          fmt::arg("slip", word_of(given, "rolling", "extra_slip")),
+          fmt::arg("law", word_of(given, "friction", "law")), fmt::arg("laws", falling_laws()));
+    };
+    fail_at(given, found->first->path(), found->second, filled(rule.wrong), filled(rule.allowed),
+            rule.action);
+  }
+}
+
+bool leaves_points(const GivenValue& value) {
+  const auto* list = std::get_if<std::vector<double>>(&value.value);
+  return list != nullptr &&
+         std::any_of(list->begin(), list->end(), [](double one) { return std::isnan(one); });
+}
+
+void check_rivals(const GivenCase& given, const Rivals& rule) {
+  const Given* first = nullptr;
+  for (const char* pattern : rule.keys) {
+    const Given* found = find_match(given, pattern, is_none);
+    if (found == nullptr || (rule.by_point && leaves_points(found->second))) continue;
+    if (first != nullptr)
+      fail_at(given, found->first->path(), found->second,
+              fmt::format("contradicts {} = {} of line {}{}", first->first->path(),
+                          first->second.text, first->second.line, rule.why),
+              rule.allowed, "remove one of the two");
+    first = found;
+  }
+}
+
+void check_need(const GivenCase& given, const Need& rule) {
+  if (!rule.where(given)) return;
+  for (const char* key : rule.one_of)
+    for (const auto& [known, value] : given.values)
+      if (known->path() == key) return;
+  const std::string path = rule.one_of.front();
+  fail_missing(given, path, section_line(given, path.substr(0, path.find('.'))), rule.wrong,
+               rule.allowed, rule.action);
+}
+
+/// The constants of a law have no meaning for another one.
+void check_constants(const GivenCase& given) {
+  const std::string law = word_of(given, "friction", "law");
+  for (const FallShape& shape : fall_shapes())
+    for (const FallShape::Constant& own : shape.constants) {
+      if (own.name == nullptr || law == shape.word) continue;
+      const GivenValue* found = given.find("friction", own.name);
+      if (found != nullptr)
+        fail_at(given, std::string("friction.") + own.name, *found,
+                fmt::format("is of the law {}, but friction.law is {}", shape.word, law),
+                fmt::format("with law = \"{}\"", shape.word), "remove it, or choose that law");
+    }
+}
+
+}  // namespace
+
+void check_rules(const GivenCase& given) {
+  for (const Exclusion& rule : exclusions) check_exclusion(given, rule);
+  for (const Rivals& rule : rivals) check_rivals(given, rule);
+  for (const Need& rule : needs) check_need(given, rule);
+  check_constants(given);
+}
+
+}  // namespace rollfem::contact

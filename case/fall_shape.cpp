@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "case/fall_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::contact {
+
+const FallShape FallShape::none{"constant", [](std::size_t, double, const Constants&) {
+                                  return Left{1.0, 0.0};
+                                }};
+
+const FallShape FallShape::linear{"linear", [](std::size_t, double s, const Constants&) {
+                                    return s < 2.0 ? Left{1.0 - 0.5 * s, -0.5} : Left{};
+                                  }};
+
+const FallShape FallShape::rational{
+    "rational", [](std::size_t i, double s, const Constants&) {
+      const double left = i == 0 ? 1.0 / (1.0 + s) : 1.0 / (1.0 + s * s);
+      return Left{left, i == 0 ? -left * left : -2.0 * s * left * left};
+    }};
+
+const FallShape FallShape::exponential{"exponential",
+                                       [](std::size_t, double s, const Constants&) {
+                                         const double rate = std::log(2.0);
+                                         const double left = std::exp(-rate * s);
+                                         return Left{left, -rate * left};
+                                       },
+                                       true};
+
+std::vector<FallShape>& fall_shapes() {
+  static std::vector<FallShape> all{FallShape::none, FallShape::linear, FallShape::rational,
+                                    FallShape::exponential};
+  return all;
+}
+
+const FallShape& fall_shape(std::string_view word) {
+  const auto& all = fall_shapes();
+  return *std::find_if(all.begin(), all.end(),
+                       [&](const FallShape& one) { return word == one.word; });
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "case/keys/case_keys.hpp"
+
+#include "case/keys/key_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+struct Declarations {
+  std::vector<Section> sections;
+  std::vector<Key> keys;
+};
+
+Declarations gather() {
+  Declarations all;
+  std::vector<std::size_t> counts;
+  for (auto* declare : {&load_sections, &friction_sections, &body_sections, &track_sections,
+                        &rolling_sections, &contact_sections, &model_sections, &output_sections})
+    for (SectionWithKeys& declared : declare()) {
+      all.sections.push_back(declared.section);
+      counts.push_back(declared.keys.size());
+      std::move(declared.keys.begin(), declared.keys.end(), std::back_inserter(all.keys));
+    }
+  const Key* next = all.keys.data();
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    all.sections[k].first = next;
+    all.sections[k].last = next += counts[k];
+  }
+  return all;
+}
+
+const Declarations& declarations() {
+  static const Declarations all = gather();
+  return all;
+}
+
+}  // namespace
+
+bool Bounds::contains(double value) const {
+  if ((infinite && value == infinity) || (zero && value == 0.0)) return true;
+  if (none && std::isnan(value)) return true;
+  if (!std::isfinite(value)) return false;
+  const double bounded = magnitude ? std::abs(value) : value;
+  return bounded >= lower && (upper_open ? bounded < upper : bounded <= upper);
+}
+
+KeyValue shortened(Numbers values) {
+  if (std::all_of(values.begin(), values.end(), [](double value) { return std::isnan(value); }))
+    return {};
+  const bool same = std::all_of(values.begin(), values.end(),
+                                [&](double value) { return value == values.front(); });
+  if (same) values.resize(1);
+  return values;
+}
+
+void grow_load_points(Case& input, std::size_t count) {
+  auto& creepages = input.rolling.creepages;
+  if (creepages.size() == 1) creepages.resize(count, creepages.front());
+  const auto follow = [&](auto& entries) {
+    if (!entries.empty()) entries.resize(creepages.size(), entries.front());
+  };
+  follow(input.rolling.forces);
+  follow(input.wheelset.rotation_change);
+  follow(input.history);
+}
+
+const std::vector<Section>& case_sections() {
+  return declarations().sections;
+}
+
+const std::vector<Key>& case_keys() {
+  return declarations().keys;
+}
+
+const Key* find_key(const std::string& section, const std::string& name) {
+  for (const Key& key : case_keys())
+    if (key.section == section && key.name == name) return &key;
+  return nullptr;
+}
+
+Case default_case() {
+  return {};
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Wheel and rail: their radii, materials, profiles and meshes; the shape of the contact.
+#include "case/keys/key_builder.hpp"
+
+#include <algorithm>
+
+namespace rollfem::contact {
+
+namespace {
+
+template <class Body>
+void add_radius(Keys<Body>& keys, const char* papers_symbol, const char* toml,
+                const char* sentence) {
+  keys.add("transverse_radius", &Body::transverse_radius, symbol(papers_symbol), unit("mm"),
+           or_inf(sized(smallest_radius, largest)), Required{toml}, sentence);
+  keys.add("round_to", &Body::round_to, between(0.1, 0.9),
+           "Fraction of the transverse radius up to which the profile is a circle; beyond, it is "
+           "straight (docs/meshes.md).");
+}
+
+template <class Body>
+void add_material(Keys<Body>& keys) {
+  keys.add("young_modulus", inside(&Body::material, &Material::young_modulus), symbol("E"),
+           unit("MPa"), or_inf(positive()),
+           "Young's modulus, of steel by default; inf: a rigid body (not both).");
+  keys.add("poisson_ratio", inside(&Body::material, &Material::poisson_ratio), symbol("nu"),
+           upper_open(between(0.0, 0.5)), "Poisson's ratio; 0.5 (incompressible) is not covered.");
+  keys.add(
+      "density", inside(&Body::material, &Material::density), symbol("rho"), unit("t/mm^3"),
+      zero_or(1e-15, 1e-7),
+      "Mass density, of steel by default (1 t/mm^3 = 1e12 kg/m^3); matters only with fem.inertia.");
+}
+
+/// `names`: built-in profiles.
+template <class Body>
+void add_shape_from_files(Keys<Body>& keys, const std::string& names) {
+  keys.add("profile", inside(&Body::profile, &ProfileSource::name), names_file,
+           otherwise("transverse_radius applies"),
+           "The profile, instead of transverse_radius: " + names +
+               ", `arcs`, `polynomial`, or a file: columns y, z, or another format. Details: [" +
+               keys.section().name + "_profile], docs/profiles.md.");
+  keys.add("mesh", &Body::mesh, names_file, otherwise("meshed by the program"),
+           "Hexahedral gmsh mesh (.msh 4.1 or 2.2, mm, contact point at the origin) with the "
+           "physical surfaces `contact`, `fixed`, and `symmetry` for a half y >= 0 (model fem).");
+}
+
+SectionWithKeys wheel_section() {
+  Keys<Wheel> keys("wheel", "Upper body (1): a surface of revolution about the axle", &Case::wheel);
+  keys.add("rolling_radius", &Wheel::rolling_radius, symbol("R"), unit("mm"),
+           between(smallest_radius, largest), Required{"405.0"},
+           "Radius of the wheel at the running circle.");
+  add_radius(keys, "R_wy", "inf",
+             "Radius of the wheel's profile: positive convex, negative concave (a hollow tread; "
+             "larger than the rail's), inf flat; not with `profile`.");
+  add_material(keys);
+  add_shape_from_files(keys, "`S1002` or `S1002-smooth`");
+  return keys;
+}
+
+SectionWithKeys rail_section() {
+  Keys<Rail> keys("rail", "Lower body (2): a straight extruded rail, or a roller", &Case::rail);
+  keys.add("rolling_radius", &Rail::rolling_radius, symbol("R_r"), unit("mm"),
+           or_inf(sized(smallest_radius, largest)),
+           "Radius about the rail's own axle, where its profile has z = 0: inf a straight rail, "
+           "positive a roller below "
+           "the wheel, negative a ring around it.");
+  add_radius(keys, "R_ry", "2000.0",
+             "Radius of the rail's head: positive convex, negative concave, inf flat; not with "
+             "`profile`.");
+  add_material(keys);
+  add_shape_from_files(keys,
+                       "`60E1` (the same as `UIC60`), `60E2`, `54E1` (`UIC54`), `56E1` (`BS113A`) "
+                       "or `UIC60-manchester`");
+  return keys;
+}
+
+/// A list with one number for each back stress.
+Access<BodyPlasticity> of_back_stresses(double BodyPlasticity::BackStress::*member) {
+  return {[member](const BodyPlasticity& steel) -> KeyValue {
+            // As many as there are moduli.
+            std::size_t moduli = 0, given = 0;
+            Numbers numbers;
+            for (const BodyPlasticity::BackStress& back : steel.back_stresses) {
+              numbers.push_back(back.*member);
+              if (back.modulus > 0.0) moduli = numbers.size();
+              if (back.*member != 0.0) given = numbers.size();
+            }
+            if (given == 0) return {};
+            numbers.resize(moduli > 0 ? moduli : given);
+            return numbers;
+          },
+          [member](BodyPlasticity& steel, const KeyValue& value) {
+            const auto& numbers = std::get<Numbers>(value);
+            // One recovery is that of all; of the moduli there is one for each.
+            const bool of_all =
+                numbers.size() == 1 && member == &BodyPlasticity::BackStress::recovery;
+            const std::size_t count = of_all ? steel.back_stresses.size()
+                                             : std::min(numbers.size(), steel.back_stresses.size());
+            for (std::size_t k = 0; k < count; ++k)
+              steel.back_stresses[k].*member = numbers[of_all ? 0 : k];
+          }};
+}
+
+void add_residual_stress(Keys<BodyPlasticity>& keys) {
+  using Residual = BodyPlasticity::ResidualStress;
+  const auto of = [](std::vector<double> Residual::*member) {
+    return inside(&BodyPlasticity::residual, member);
+  };
+  const auto each = per("depths in [" + keys.section().name + "]");
+  keys.add("residual_depth", of(&Residual::depth), each, counts, ascending, unit("mm"),
+           zero_or(smallest, 1e3), otherwise("no residual stress before the first pass"),
+           "Depths below the surface, ascending, of the residual stress before the first pass: "
+           "linear between, constant outside, the same everywhere along and across.");
+  keys.add("residual_along", of(&Residual::along), each, unit("MPa"), within(largest),
+           otherwise("0"),
+           "Residual stress along rolling at each of these depths, or one number for all; tension "
+           "is positive.");
+  keys.add("residual_across", of(&Residual::across), each, unit("MPa"), within(largest),
+           otherwise("0"), "The same across.");
+  keys.add("residual_file", inside(&BodyPlasticity::residual, &Residual::file), names_file,
+           otherwise("the three lists apply"),
+           "Instead of the three lists: a file of lines `depth, along, across` (mm, MPa), its path "
+           "relative to the case file.");
+}
+
+template <class Body>
+SectionWithKeys plasticity_section(const std::string& name, Body Case::*body) {
+  using Steel = BodyPlasticity;
+  Keys<Steel> keys(name + "_plasticity",
+                   "Steel of the " + name + " that yields (model fem, docs/plasticity.md)",
+                   {[body](const Case& c) {
+                      const auto& steel = (c.*body).plasticity;
+                      return steel ? &*steel : nullptr;
+                    },
+                    [body](Case& c) -> Steel& {
+                      auto& steel = (c.*body).plasticity;
+                      return steel ? *steel : steel.emplace();
+                    }});
+  keys.section().alternatives = true;
+  const auto each = per("back stresses in [" + keys.section().name + "]");
+  keys.add("yield_stress", &Steel::yield_stress, symbol("sigma_y"), unit("MPa"), positive(),
+           otherwise("required with this section"),
+           "Yield stress in tension, where plastic flow begins; sqrt(3) times the k of shakedown "
+           "maps.");
+  keys.add(KeyKind::numbers, "hardening", of_back_stresses(&Steel::BackStress::modulus), each,
+           counts, symbol("C"), unit("MPa"), positive(), otherwise("no kinematic hardening"),
+           "Moduli of one to three back stresses: plastic modulus in tension at their beginning.");
+  keys.add(KeyKind::numbers, "recovery", of_back_stresses(&Steel::BackStress::recovery), each,
+           symbol("gamma"), zero_or(smallest, largest), otherwise("0 (Prager)"),
+           "Dynamic recovery of each back stress, or one number for all (Armstrong and Frederick; "
+           "Chaboche), which saturates at hardening/recovery; 0: linear (Prager).");
+  keys.add("isotropic_rise", &Steel::rise, silent_default, otherwise("0"), symbol("Q"), unit("MPa"),
+           within(largest),
+           "Rise of the yield stress with the accumulated plastic strain p, Q (1 - exp(-b p)) "
+           "(Voce); negative: the steel softens.");
+  keys.add("isotropic_rate", &Steel::rate, silent_default, otherwise("0"), symbol("b"),
+           zero_or(smallest, largest), "Its rate over p.");
+  add_residual_stress(keys);
+  return keys;
+}
+
+SectionWithKeys geometry_section() {
+  Keys<ContactShapeCase> keys("geometry",
+                              "Shape of the contact: bodies of finite width or endless rollers",
+                              &Case::geometry);
+  keys.section().alternatives = true;
+  keys.add("shape", &ContactShapeCase::shape,
+           {{"point", ContactShape::point}, {"line", ContactShape::line}},
+           "`point`: finite width, given by radii, profiles or points; `line`: endless rollers in "
+           "plane strain, without transverse radii and spin (models halfspace, hertz, carter).");
+  keys.add("width", &ContactShapeCase::width, unit("mm"), positive(),
+           "Line contact: width to which forces, moments, areas and work refer; 1: per mm.");
+  keys.add("relative_radius", &ContactShapeCase::relative_radius, symbol("R"), unit("mm"),
+           between(smallest_radius, largest),
+           otherwise("that of wheel.rolling_radius and rail.rolling_radius"),
+           "Line contact: R of the undeformed distance h = x^2 / (2 R); for two rollers 1/R = 1/R1 "
+           "+ 1/R2.");
+  keys.add("reference_distance", &ContactShapeCase::reference_distance, unit("mm"),
+           or_inf(positive()), otherwise("the relative radius"),
+           "Line contact: displacements are relative to the surface at this distance from a line "
+           "load, with inf to distant points, in the middle of a load as long as `width`; "
+           "approach, elastic energy, shifts and transients depend on it.");
+  return keys;
+}
+
+using Profile = ProfileSource;
+using ProfileKeys = Keys<Profile>;
+
+void add_formulas(ProfileKeys& keys) {
+  keys.add(
+      "radii", &Profile::radii, unit("mm"), or_inf(sized(smallest_radius, largest)),
+      otherwise("required by `arcs`"),
+      "Profile `arcs`: radii of tangent arcs, positive convex, negative concave, inf straight.");
+  keys.add("ends", &Profile::ends, unit("mm"), within(1e3), otherwise("required by `arcs`"),
+           "y at which the arcs end: with symmetric = true one for each radius, from the middle "
+           "outwards; otherwise one more than radii, increasing. The arcs pass through (0, 0).");
+  keys.add("symmetric", &Profile::symmetric, "The arcs are given for y > 0 and mirrored.");
+  keys.add("slope", &Profile::slope, within(1e6), "dz/dy of unsymmetric arcs at (0, 0).");
+  keys.add("coefficients", &Profile::coefficients, within(largest_force),
+           otherwise("required by `polynomial`"),
+           "Profile `polynomial`: z in mm over y in mm, lowest order first; pieces one after the "
+           "other, each with the same number of coefficients.");
+  keys.add("limits", &Profile::limits, unit("mm"), within(1e3),
+           otherwise("required by `polynomial`"),
+           "y at which pieces begin and end, increasing, one more than pieces; they must meet in "
+           "value and slope.");
+}
+
+void add_places(ProfileKeys& keys) {
+  keys.add("mirror", &Profile::mirror, "Swap the sides: y becomes -y.");
+  keys.add(
+      "rotation", &Profile::rotation, unit("rad"), within(1.6),
+      "Rotate about (0, 0), positive from y to z; the rail's inclination is track.inclination.");
+  keys.add("shift", &Profile::shift, unit("mm"), within(1e6),
+           "Shift along y and z, after the rotation.");
+  keys.add("free_ends", &Profile::free_ends,
+           "The body ends where its profile does, as a disc: contacts may reach the end, beside "
+           "which is a side face (docs/profiles.md).");
+}
+
+void add_mending(ProfileKeys& keys) {
+  keys.add("unit", &Profile::unit,
+           {{"mm", LengthUnit::mm}, {"m", LengthUnit::m}, {"inch", LengthUnit::inch}},
+           "Unit of the lengths in the file; some formats state their own.");
+  keys.add("section", &Profile::section, otherwise("required by a file with several profiles"),
+           "One of the profiles of a file: the section of a MiniProf file (`Profile1Points`), "
+           "`left` or `right` of a VAMPIRE file.");
+  keys.add("flip", &Profile::flip, "The file's z points upward: z becomes -z.");
+  keys.add("reverse", &Profile::reverse, "Reverse the order of the points.");
+  keys.add("sort", &Profile::sort, "Sort the points by y.");
+  keys.add("drop_duplicates", &Profile::drop_duplicates,
+           "Drop points within 1e-6 mm of the previous one.");
+  keys.add("drop_zigzag", &Profile::drop_zigzag, "Drop points at which the curve turns back.");
+  keys.add("thinning", &Profile::thinning, unit("mm"), zero_or(smallest, 10.0),
+           "Merge points closer than this into their mean; 0: keep all.");
+  keys.add("longest_gap", &Profile::longest_gap, unit("mm"), positive(),
+           "Largest gap that the curve bridges; a larger one is an error.");
+  keys.add(
+      "largest_kink", &Profile::largest_kink, unit("degrees"), between(0.1, 180.0),
+      "Largest angle between two chords; a larger one, or a step that stands out, is an error.");
+  keys.add("rounding", &Profile::rounding, unit("mm"), zero_or(smallest, 100.0),
+           "Drop points within this distance of a kink or step and bridge the gap smoothly; 0: "
+           "kinks are errors.");
+  keys.add("smoothing", &Profile::smoothing, unit("mm"), zero_or(smallest, 1.0),
+           "Standard deviation of measured points across the profile; 0: the curve passes through "
+           "the points.");
+}
+
+template <class Body>
+SectionWithKeys profile_section(const std::string& name, Body Case::*body) {
+  ProfileKeys keys(name + "_profile",
+                   "Details of the profile named in [wheel] or [rail]; rollfem repairs files only "
+                   "as these keys say",
+                   {[body](const Case& c) { return &(c.*body).profile; },
+                    [body](Case& c) -> Profile& { return (c.*body).profile; }});
+  keys.section().of_profiles = true;
+  add_formulas(keys);
+  add_places(keys);
+  add_mending(keys);
+  return keys;
+}
+
+}  // namespace
+
+Sections body_sections() {
+  return {wheel_section(),
+          rail_section(),
+          geometry_section(),
+          profile_section("wheel", &Case::wheel),
+          profile_section("rail", &Case::rail),
+          plasticity_section("wheel", &Case::wheel),
+          plasticity_section("rail", &Case::rail)};
+}
+
+}  // namespace rollfem::contact

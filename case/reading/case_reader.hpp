@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// TOML case files: reading with checks, printing how the case is read, a commented template, and
+// the reference page, all from one declaration of the keys.
+#pragma once
+
+#include "case/case.hpp"
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace rollfem::contact {
+
+/// The names of models allowed in a case file, supplied by the caller.
+struct ModelWords {
+  std::vector<std::string> known;       ///< empty: any name is accepted
+  std::vector<std::string> by_default;  ///< if the case names none
+};
+
+/// Reads and checks a case file. Throws InputError with one message: FILE:LINE:COLUMN, key, value,
+/// allowed values, remedy. `changes`: as with_changes; the case then holds the changed text.
+Case read_case(const std::string& path, const ModelWords& models = {},
+               const std::vector<std::string>& changes = {});
+
+/// The same from text; messages use `name` for the file.
+Case parse_case(const std::string& text, const std::string& name, const ModelWords& models = {});
+
+/// A number or text for each "section.key".
+using NamedValues = std::vector<std::pair<std::string, std::variant<double, std::string>>>;
+
+/// A case of values, without text, that passes the same checks. Throws std::logic_error for unknown
+/// keys.
+Case make_case(const NamedValues& values, const std::string& name);
+
+/// The subsurface points of a file with [[subsurface.*]] as in a case file; everything else is
+/// ignored. Throws InputError like read_case.
+std::vector<SubsurfaceRequest> read_places(const std::string& path);
+
+/// How the case is read: every key with value, unit and whether it is the default. Multi-line text.
+std::string describe(const Case& input, const ModelWords& models = {});
+
+/// A commented case file with defaults, which parse_case accepts.
+std::string case_template(const ModelWords& models = {});
+
+/// docs/case-file.md: every key with type, unit, bounds, default and one sentence.
+std::string case_reference_markdown(const ModelWords& models = {});
+
+// Changes of single keys, as in `--set friction.coefficient=0.3`. The text itself is edited, so
+// that the case stored with the results is the one that was solved.
+
+/// The text of a case file after all changes, in order. Each is "KEY=VALUE": the key with its
+/// section, the value as in TOML, or a single word without quotes. Missing keys are added. `file`
+/// is used in messages. Throws InputError when the text is not a case file, or a change has an
+/// unknown key or an invalid value.
+std::string with_changes(std::string text, const std::string& file,
+                         const std::vector<std::string>& changes, const ModelWords& models = {});
+
+/// The files that a case reads, each once: those that its keys name, and those that lists of
+/// sections among them name.
+std::vector<std::string> files_read_by(const Case& input);
+
+/// The text of the case for a file in another folder: paths of files, which are relative to the
+/// case file, lead from there.
+std::string text_in_folder(const Case& input, const std::string& folder);
+
+}  // namespace rollfem::contact

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What one pass of a load leaves in a body that yields: the section behind the load, and what
+// becomes of it with further passes.
+#pragma once
+
+#include "base/members.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace rollfem::contact {
+
+/// Streamlines of the section in order of depth, then y (`y` fastest); tensors are xx yy zz xy yz
+/// xz, x along rolling, in the section's own axes.
+struct YieldedSection {
+  std::string body;
+  std::string verdict;  ///< a word of yield_verdicts
+  int from_pass = 0, iterations = 0, cycle = 1;
+  double increment = 0.0, net_increment = 0.0, cycle_increment = 0.0, cycle_net_increment = 0.0;
+  double plastic_strain = 0.0, plastic_work = 0.0, utilisation = 0.0, residual = 0.0;
+  int across = 0, down = 0;
+  std::vector<double> y, depth;
+  std::vector<std::array<float, 6>> strain, stress;
+  std::vector<float> accumulated;
+  std::vector<double> surface_y, groove, forward_flow;
+
+  static constexpr Listed listed = Listed::by_first;
+  static constexpr auto members() {
+    using S = YieldedSection;
+    return std::tuple(
+        member("body", &S::body, "", "wheel or rail"),
+        member("verdict", &S::verdict, "", "how it takes the passes"),
+        member("from_pass", &S::from_pass, "-", "the verdict has held since this pass"),
+        member("iterations", &S::iterations, "-", "of the pass"),
+        member("cycle", &S::cycle, "-",
+               "load points of a cycle, the last whole one of which is judged"),
+        member("increment", &S::increment, "-",
+               "largest increase of the accumulated plastic strain"),
+        member("net_increment", &S::net_increment, "-",
+               "largest change of plastic strain, sqrt(2/3) |d eps_p|"),
+        member("cycle_increment", &S::cycle_increment, "-",
+               "increment of the cycle that is judged"),
+        member("cycle_net_increment", &S::cycle_net_increment, "-", "the same of net_increment"),
+        member("plastic_strain", &S::plastic_strain, "-", "largest accumulated plastic strain"),
+        member("plastic_work", &S::plastic_work, "N", "N mm per mm of track"),
+        member("utilisation", &S::utilisation, "-",
+               "largest von Mises stress over the yield surface, during the pass"),
+        member("residual", &S::residual, "-",
+               "out-of-balance forces relative to those of plastic strain"),
+        member("across", &S::across, "-", "streamlines across"),
+        member("down", &S::down, "-", "streamlines down"),
+        member("y", &S::y, "mm", "of the streamlines"),
+        member("depth", &S::depth, "mm", "of the streamlines, below the surface"),
+        member("strain", &S::strain, "-",
+               "plastic strain xx, yy, zz, xy, yz, xz (tensor components), x along rolling"),
+        member("stress", &S::stress, "MPa",
+               "residual stress xx, yy, zz, xy, yz, xz; tension positive"),
+        member("accumulated", &S::accumulated, "-", "accumulated plastic strain"),
+        member("surface_y", &S::surface_y, "mm", "of groove and forward_flow"),
+        member("groove", &S::groove, "mm",
+               "plastic displacement of the surface, negative into the body"),
+        member("forward_flow", &S::forward_flow, "mm",
+               "plastic displacement of the surface along rolling"));
+  }
+};
+
+/// How a body takes the passes, or cycles of several load points: it does not yield; it yields no
+/// more (elastic shakedown); the same closed cycle again and again (plastic shakedown: what lasts
+/// falls so fast that all further cycles together leave at most 5 % of the strain of one); strain
+/// grows with every cycle, about as much (ratchetting); it still changes from cycle to cycle.
+inline constexpr std::array<const char*, 5> yield_verdicts{
+    "elastic", "elastic shakedown", "plastic shakedown", "ratchetting", "settling"};
+
+}  // namespace rollfem::contact
