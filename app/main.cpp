@@ -21,5 +21,5 @@ void keep_freed_memory() {
 
 int main(int argc, char** argv) {
   keep_freed_memory();
-  return rollfem::app::run_program(argc, argv, rollfem::models::built_in_models());
+  return rollfem::app::run_program(argc, argv, rollfem::modelling::built_in_models());
 }

@@ -105,7 +105,7 @@ std::vector<std::string> arguments(int argc, char** argv) {
 /// Processes of mpirun on one machine share its cores, unless each is bound to some of them.
 void share_cores(Call& call) {
   const int allowed = contact::allowed_threads();
-  const int together = models::processes().on_machine;
+  const int together = modelling::processes().on_machine;
   if (together == 1 || std::getenv("OMP_NUM_THREADS") != nullptr) return;
   const int cores = std::min(static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)),
                              contact::allowed_cores("/proc", "/sys/fs/cgroup"));
@@ -144,18 +144,18 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
 /// Process 0 reports the failure. The others wait for it to end them through mpirun, and report
 /// themselves only if that does not happen.
 [[noreturn]] void failed(int status, const std::string& what) {
-  const models::Processes here = models::processes();
+  const modelling::Processes here = modelling::processes();
   if (!here.first()) std::this_thread::sleep_for(std::chrono::seconds(3));
   const std::string where = here.first() ? "" : fmt::format("process {}: ", here.rank);
   std::cerr << fmt::format("rollfem: {}{}\n", where, what);
-  models::leave(status);
+  modelling::leave(status);
 }
 
 }  // namespace
 
 int run_program(int argc, char** argv, const contact::ModelRegistry& models) {
   guard_outputs();
-  models::tell_of_interruptions();
+  modelling::tell_of_interruptions();
   try {
     return execute(argc, argv, models);
   } catch (const contact::OutputError& error) {

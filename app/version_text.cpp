@@ -23,7 +23,7 @@ std::string line(const char* what, const std::string& text) {
 std::string of_finite_elements() {
   if (!ROLLFEM_WITH_FEM) return line("finite elements", "no (built without deal.II)");
   try {
-    const fem::About about = models::open_fem_library("--version").about();
+    const fem::About about = modelling::open_fem_library("--version").about();
     return line("finite elements", about.libraries) +
            line("SIMD", fmt::format("{} (this machine has {})", about.simd_variant,
                                     fmt::join(about.simd_variants, ", "))) +
@@ -41,7 +41,7 @@ std::string version_text() {
   // fftw_version is "fftw-3.3.10-sse2-avx".
   const std::string fftw = std::string(fftw_version).substr(5);
   std::string text =
-      fmt::format("rollfem {} ({})\n", models::version(), models::commit()) + of_finite_elements() +
+      fmt::format("rollfem {} ({})\n", modelling::version(), modelling::commit()) + of_finite_elements() +
       line("Python module", ROLLFEM_WITH_PYTHON ? "yes" : "no") +
       line("libraries",
            fmt::format("Eigen {}.{}.{}, Boost {}.{}.{}, FFTW {}, HDF5 {}.{}.{}, fmt {}.{}.{}, "

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 using contact::ModelInfo;
 using contact::ModelRegistry;
@@ -116,4 +116,4 @@ std::string models_markdown(const ModelRegistry& models) {
   return text + "\n";
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

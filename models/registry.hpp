@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// All models. A build without finite elements knows fem, but cannot run it.
 contact::ModelRegistry built_in_models();
@@ -36,4 +36,4 @@ bool any_parallel(const contact::ModelRegistry& models, const std::vector<std::s
 /// Text of docs/models.md: every model with its description and its abilities.
 std::string models_markdown(const contact::ModelRegistry& models);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -17,7 +17,7 @@ namespace rollfem::app {
 namespace fs = std::filesystem;
 
 contact::Case CaseRequest::read(const std::string& file) const {
-  return contact::read_case(file, models::model_words(call.models), changes);
+  return contact::read_case(file, modelling::model_words(call.models), changes);
 }
 
 fs::path CaseRequest::folder(const std::string& ending) const {
@@ -88,7 +88,7 @@ void warn(const std::vector<std::string>& warnings) {
 
 bool draw(Call& call, const fs::path& written, const std::string& failure) {
   const std::string problem =
-      result::make_report(written.string(), models::script_directory().string());
+      result::make_report(written.string(), modelling::script_directory().string());
   if (problem.empty()) return true;
   std::cerr << "warning: " << failure << ": " << problem << '\n';
   call.undrawn = true;

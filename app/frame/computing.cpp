@@ -24,7 +24,7 @@ void add_report_flags(CLI::App& command, ComputingRequest& request) {
 
 void add_division(CLI::App& command, contact::OwnPart& own, int& merge, const std::string& items) {
   command.add_option_function<std::string>(
-      "--part", [&own](const std::string& text) { own = models::parse_part(text); },
+      "--part", [&own](const std::string& text) { own = modelling::parse_part(text); },
       "K/N: compute part K of N of the " + items +
           " and store it beside FOLDER; calls for other parts may run at the same time, on any "
           "machine that shares the folder");

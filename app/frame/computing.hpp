@@ -10,10 +10,10 @@
 
 namespace rollfem::app {
 
-using models::CommandFrame;
+using modelling::CommandFrame;
 
 /// Common part of the requests of run and table.
-struct ComputingRequest : CaseRequest, models::Computing {
+struct ComputingRequest : CaseRequest, modelling::Computing {
   explicit ComputingRequest(Call& made_by)
       : CaseRequest(made_by), Computing{made_by.models, made_by.command, made_by.argc, made_by.argv,
                                         false,          false,           {},           0} {}

@@ -43,7 +43,7 @@ void print_result(const std::string& json) {
 Json result_head(const std::string& kind) {
   return {{"format", 1},
           {"kind", kind},
-          {"program", {{"version", models::version()}, {"commit", models::commit()}}}};
+          {"program", {{"version", modelling::version()}, {"commit", modelling::commit()}}}};
 }
 
 Json columns_of(const std::string& csv) {

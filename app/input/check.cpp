@@ -51,15 +51,15 @@ std::string taken_by(const Scenes& scenes, const contact::ModelRegistry& models)
 /// refuses before it solves anything.
 std::vector<std::string> refusals_of(const contact::Case& input,
                                      const contact::ModelRegistry& models,
-                                     const models::Placed& placed, Scenes& scenes) {
+                                     const modelling::Placed& placed, Scenes& scenes) {
   std::vector<std::string> refusals;
   const auto try_to = [&](const std::function<void()>& step) {
     const auto done = contact::attempt([&] { return step(), true; });
     if (!done) refusals.push_back(done.why);
   };
-  try_to([&] { models::check_alone(models, input.models, input.file + ": models"); });
+  try_to([&] { modelling::check_alone(models, input.models, input.file + ": models"); });
   try_to([&] {
-    scenes = models::unbalanced_scenes(input, placed ? placed : models::placed_wheels(input));
+    scenes = modelling::unbalanced_scenes(input, placed ? placed : modelling::placed_wheels(input));
   });
   for (const std::string& name : input.models)
     try_to([&] {
@@ -121,14 +121,14 @@ struct CheckRequest : CaseRequest {
 void check_case(const CheckRequest& request) {
   const contact::ModelRegistry& models = request.call.models;
   const contact::Case input = request.read();
-  std::cout << contact::describe(input, models::model_words(models))
+  std::cout << contact::describe(input, modelling::model_words(models))
             << contact::derived_values(input);
   std::vector<std::string> warnings = warnings_of(input);
-  models::Placed placed;
+  modelling::Placed placed;
   if (input.has_profiles() && !request.json) {
-    placed = models::placed_wheels(input);
+    placed = modelling::placed_wheels(input);
     std::cout << "\nwhere wheel and rail touch\n"
-              << models::contacts_text(input, placed->search) << '\n';
+              << modelling::contacts_text(input, placed->search) << '\n';
   }
   Scenes scenes;
   for (std::string& refusal : refusals_of(input, models, placed, scenes))
@@ -143,13 +143,13 @@ void check_case(const CheckRequest& request) {
 
 void new_case(const std::string& file, const contact::ModelRegistry& models) {
   if (file.empty()) {
-    std::cout << contact::case_template(models::model_words(models));
+    std::cout << contact::case_template(modelling::model_words(models));
     return;
   }
   if (std::filesystem::exists(file))
     throw contact::InputError(
         fmt::format("new-case: {} already exists; do: name another file", file));
-  result::write_file(file, contact::case_template(models::model_words(models)));
+  result::write_file(file, contact::case_template(modelling::model_words(models)));
 }
 
 }  // namespace

@@ -102,11 +102,11 @@ void add(Refused& refused, const std::vector<std::string>& reasons, const std::v
 using Cells = std::array<double, 2>;
 
 /// The cells of the case, halved until the patches of all wheels have elements enough.
-Cells fine_cells(const contact::Case& input, const models::Placed& placed) {
+Cells fine_cells(const contact::Case& input, const modelling::Placed& placed) {
   // A result needs four; the box of a patch may be a little wider than its elements.
   constexpr double fewest = 5.0, most_halvings = 4;
   Cells cells = *input.contact_grid.cell_size;
-  for (const contact::Scene& scene : models::scenes_of(input, placed).list) {
+  for (const contact::Scene& scene : modelling::scenes_of(input, placed).list) {
     const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
     for (int halving = 0; halving < most_halvings; ++halving) {
       if (extent.length < fewest * cells[0]) cells[0] *= 0.5;
@@ -128,9 +128,9 @@ struct Verdict {
 Verdict checked(const fs::path& path, const contact::ModelRegistry& models) {
   Verdict verdict;
   try {
-    const contact::Case input = contact::read_case(path.string(), models::model_words(models));
+    const contact::Case input = contact::read_case(path.string(), modelling::model_words(models));
     if (!input.has_profiles()) return verdict;
-    const models::Placed placed = models::placed_wheels(input);
+    const modelling::Placed placed = modelling::placed_wheels(input);
     try {
       verdict.cells = fine_cells(input, placed);
       if (verdict.cells == input.contact_grid.cell_size) verdict.cells.reset();

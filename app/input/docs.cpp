@@ -162,11 +162,11 @@ std::string page_text(const std::string& page, const CLI::App& program,
                       const contact::ModelRegistry& models) {
   if (page == "bash") return bash_completion(program, models);
   if (page == "zsh") return zsh_completion(program, models);
-  if (page == "man") return manual_page(program, models::version());
-  if (page == "schema") return result::case_schema(models::model_words(models));
-  if (page == "models") return models::models_markdown(models);
+  if (page == "man") return manual_page(program, modelling::version());
+  if (page == "schema") return result::case_schema(modelling::model_words(models));
+  if (page == "models") return modelling::models_markdown(models);
   if (page == "quantities") return contact::quantities_markdown();
-  return contact::case_reference_markdown(models::model_words(models));
+  return contact::case_reference_markdown(modelling::model_words(models));
 }
 
 }  // namespace

@@ -68,14 +68,14 @@ std::string table(const std::vector<MeshedBody>& bodies) {
 void mesh(const CaseRequest& request) {
   const contact::Case input = request.read();
   const std::vector<contact::Scene> scenes =
-      models::scenes_of(input, models::placed_wheels(input)).list;
+      modelling::scenes_of(input, modelling::placed_wheels(input)).list;
   for (const contact::Scene& scene : scenes)
-    request.call.models.check(scene, models::fem_model().name);
+    request.call.models.check(scene, modelling::fem_model().name);
   const fs::path folder = request.folder("_mesh");
   spare_input(input, folder);
 
   const fem::Entry& entry =
-      models::parallel_session("mesh", request.call.argc, request.call.argv).entry;
+      modelling::parallel_session("mesh", request.call.argc, request.call.argv).entry;
   std::vector<MeshedBody> bodies;
   for (const contact::Scene& scene : scenes)
     for (MeshedBody& body : entry.mesh(scene)) {
@@ -83,7 +83,7 @@ void mesh(const CaseRequest& request) {
       if (scene.place) body.name = scene.place->key() + '_' + body.name;
       bodies.push_back(std::move(body));
     }
-  if (models::processes().first()) {
+  if (modelling::processes().first()) {
     result::FilesTogether files(folder);
     for (const MeshedBody& body : bodies) {
       files.write(body.name + ".msh", body.msh);

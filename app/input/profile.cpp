@@ -234,8 +234,8 @@ void print(const std::vector<NamedProfile>& profiles) {
 void tell_pair(const contact::Case& input, const fs::path& folder, Call& call) {
   if (!input.has_profiles()) return;
   const track::SearchScene search = track::search_scene_of(input);
-  std::cout << "where wheel and rail touch\n" << models::contacts_text(input, search);
-  for (const auto& [name, table] : models::pair_tables(input, search)) {
+  std::cout << "where wheel and rail touch\n" << modelling::contacts_text(input, search);
+  for (const auto& [name, table] : modelling::pair_tables(input, search)) {
     const fs::path file = folder / (name + ".csv");
     result::replace_file(file, table);
     draw_and_tell(call, file);

@@ -43,7 +43,7 @@ std::string given_of(const CLI::App& command, const Call& call) {
 
 /// The package has the built-in models only.
 void refuse_own_models(const CLI::App& command, const contact::ModelRegistry& models) {
-  const contact::ModelRegistry known = models::built_in_models();
+  const contact::ModelRegistry known = modelling::built_in_models();
   for (const std::string& name : models.names())
     if (known.find(name) == nullptr)
       throw contact::InputError(
@@ -57,12 +57,12 @@ void refuse_own_models(const CLI::App& command, const contact::ModelRegistry& mo
 [[noreturn]] void hand_over(const CLI::App& command, const Call& call) {
   // Before numpy starts a thread a core.
   ::setenv("OPENBLAS_NUM_THREADS", "1", 0);
-  if (models::processes().count > 1)
-    ::setenv("LD_PRELOAD", models::library_that_waits().c_str(), 0);
+  if (modelling::processes().count > 1)
+    ::setenv("LD_PRELOAD", modelling::library_that_waits().c_str(), 0);
   std::cout.flush();
   throw contact::InputError(command.get_name() + ": " +
                             result::become_package({command.get_name(), given_of(command, call)},
-                                                   models::script_directory().string()));
+                                                   modelling::script_directory().string()));
 }
 
 /// Ends the declaration of a command: the last options, and what it does.

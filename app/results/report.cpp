@@ -20,7 +20,7 @@ void draw_report(const std::string& directory) {
         fmt::format("report: {} holds no result; do: name a folder that rollfem run, compare, "
                     "study or table wrote",
                     directory));
-  const std::string problem = result::make_report(directory, models::script_directory().string());
+  const std::string problem = result::make_report(directory, modelling::script_directory().string());
   if (!problem.empty()) throw contact::InputError("report: " + problem);
 }
 

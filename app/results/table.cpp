@@ -130,7 +130,7 @@ void table_at_once(const ComputingRequest& request) {
   const contact::Case input = request.read();
   CommandFrame frame(request, {});
   if (frame.idle()) return;
-  models::refuse_other_result(directory_of(request), "table.h5");
+  modelling::refuse_other_result(directory_of(request), "table.h5");
   warn_of_doubts(input);
   if (const std::string ignored = tables::ignored_keys(input); !ignored.empty())
     frame.say("note: " + ignored);
@@ -142,7 +142,7 @@ void table_at_once(const ComputingRequest& request) {
   result::check_directory(directory_of(request).string());
   frame.own(directory_of(request));
   const auto begin = std::chrono::steady_clock::now();
-  frame.compute("table", "points", [&](const models::Solving& how) {
+  frame.compute("table", "points", [&](const modelling::Solving& how) {
     tables::fill_table(made, input, how.progress, frame.keep_in(directory_of(request), input),
                        request.own);
     frame.clear_line();
@@ -154,8 +154,8 @@ void table_at_once(const ComputingRequest& request) {
 }
 
 void table(ComputingRequest& request) {
-  models::check_division(request, 2, "");  // a table has many points
-  models::in_parts(request, true, directory_of(request), [&] { table_at_once(request); });
+  modelling::check_division(request, 2, "");  // a table has many points
+  modelling::in_parts(request, true, directory_of(request), [&] { table_at_once(request); });
 }
 
 }  // namespace

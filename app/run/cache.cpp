@@ -13,14 +13,14 @@ namespace rollfem::app {
 
 namespace {
 
-std::string total_of(const std::vector<models::CorrectionCache::Entry>& entries) {
+std::string total_of(const std::vector<modelling::CorrectionCache::Entry>& entries) {
   std::uintmax_t bytes = 0;
   for (const auto& entry : entries) bytes += entry.bytes;
   return fmt::format("{} corrections, {:.1f} kB", entries.size(),
                      1e-3 * static_cast<double>(bytes));
 }
 
-void list(const std::vector<models::CorrectionCache::Entry>& entries) {
+void list(const std::vector<modelling::CorrectionCache::Entry>& entries) {
   if (!entries.empty())
     std::cout << fmt::format("{:<20} {:>9} {:>9} {:>8}  bodies\n", "made", "kB", "unknowns",
                              "seconds");
@@ -35,7 +35,7 @@ void list(const std::vector<models::CorrectionCache::Entry>& entries) {
 
 /// Lists the stored corrections, or removes them (`action` "clear") and prints the freed space.
 void cache(const std::string& action) {
-  const models::CorrectionCache corrections;
+  const modelling::CorrectionCache corrections;
   if (corrections.off()) {
     std::cout << "no cache: ROLLFEM_CACHE is empty, or there is no home folder\n";
     return;

@@ -40,9 +40,9 @@ struct RunRequest : ComputingRequest {
 /// Checks for problems that would otherwise appear only after hours of computing: a folder that
 /// cannot be created, a model that cannot take the case.
 void check_before(const RunRequest& request, const contact::Case& input,
-                  const models::Placed& placed) {
+                  const modelling::Placed& placed) {
   result::check_directory(request.folder().string());
-  for (const contact::Scene& scene : models::unbalanced_scenes(input, placed))
+  for (const contact::Scene& scene : modelling::unbalanced_scenes(input, placed))
     for (const std::string& name : input.models) request.call.models.check(scene, name);
 }
 
@@ -76,7 +76,7 @@ void tell_what_is_not_stored(const result::RunRecord& record,
 void write_and_tell(const RunRequest& request, const result::RunRecord& record) {
   const contact::ModelRegistry& models = request.call.models;
   const fs::path directory = request.folder();
-  models::store_results(directory.string(), record);
+  modelling::store_results(directory.string(), record);
   // A wheel above its rail leaves nothing to draw.
   const bool drawn = !record.models.empty() && report_drawn(request, directory);
   if (request.quiet) return;
@@ -107,19 +107,19 @@ void run_at_once(const RunRequest& request) {
   result::RunRecord record;
   record.input = request.read();
   const std::string asked_by = request.models.empty() ? request.case_file + ": models" : "--model";
-  models::check_alone(request.call.models, record.input.models, asked_by);
+  modelling::check_alone(request.call.models, record.input.models, asked_by);
   CommandFrame frame(request, record.input.models);
   if (frame.idle()) return;
   if (frame.first()) warn_of_doubts(record.input);
-  const models::Placed placed = models::placed_wheels(record.input);
+  const modelling::Placed placed = modelling::placed_wheels(record.input);
   if (frame.first()) check_before(request, record.input, placed);
   frame.own(request.folder());
   record.provenance = frame.provenance();
-  frame.compute(asked_by, "load points", [&](models::Solving how) {
+  frame.compute(asked_by, "load points", [&](modelling::Solving how) {
     how.checkpoint = frame.keep_in(request.folder(), record.input);
     how.own = request.own;
     how.placed = placed;
-    models::solve(record, how);
+    modelling::solve(record, how);
     if (!how.first || frame.ends_part()) return;
     if (placed) add_rigid_wheelset(placed->search, record);
     frame.clear_line();
@@ -139,12 +139,12 @@ void run(RunRequest& request) {
   }
   if (request.case_file.empty())
     throw contact::InputError("run: no case file is named; do: rollfem run CASE.toml");
-  request.models = models::checked_names(models, request.models, "--model");
+  request.models = modelling::checked_names(models, request.models, "--model");
   const contact::Case input = request.read();
   const std::size_t positions = input.has_profiles() ? input.wheelset.positions() : 1;
-  models::check_division(request, positions, "position of the wheelset");
-  const bool divisible = positions > 1 && !models::any_parallel(models, input.models);
-  models::in_parts(request, divisible, request.folder(), [&] { run_at_once(request); });
+  modelling::check_division(request, positions, "position of the wheelset");
+  const bool divisible = positions > 1 && !modelling::any_parallel(models, input.models);
+  modelling::in_parts(request, divisible, request.folder(), [&] { run_at_once(request); });
 }
 
 }  // namespace

@@ -16,26 +16,26 @@ namespace rollfem {
 namespace {
 
 const contact::ModelRegistry& registry() {
-  static const contact::ModelRegistry models = models::built_in_models();
+  static const contact::ModelRegistry models = modelling::built_in_models();
   return models;
 }
 
 }  // namespace
 
 Case read_case(const std::string& file) {
-  return contact::read_case(file, models::model_words(registry()));
+  return contact::read_case(file, modelling::model_words(registry()));
 }
 
 Case parse_case(const std::string& text, const std::string& name) {
-  return contact::parse_case(text, name, models::model_words(registry()));
+  return contact::parse_case(text, name, modelling::model_words(registry()));
 }
 
 std::string describe(const Case& input) {
-  return contact::describe(input, models::model_words(registry()));
+  return contact::describe(input, modelling::model_words(registry()));
 }
 
 std::vector<std::string> models() {
-  return models::built_of(registry(), registry().names());
+  return modelling::built_of(registry(), registry().names());
 }
 
 Result solve(const Case& input, const std::vector<std::string>& models, const Progress& progress,
@@ -43,14 +43,14 @@ Result solve(const Case& input, const std::vector<std::string>& models, const Pr
   const contact::ModelRegistry& known = registry();
   Result result;
   result.input = input;
-  if (!models.empty()) result.input.models = models::checked_names(known, models, "models");
+  if (!models.empty()) result.input.models = modelling::checked_names(known, models, "models");
   const std::vector<std::string>& names = result.input.models;
-  models::check_alone(known, names, "models");
-  models::check_built(known, names, "models");
-  result.provenance = models::provenance_of(known, "rollfem::solve");
-  models::Ready ready = models::ready_for(known, names, progress);
+  modelling::check_alone(known, names, "models");
+  modelling::check_built(known, names, "models");
+  result.provenance = modelling::provenance_of(known, "rollfem::solve");
+  modelling::Ready ready = modelling::ready_for(known, names, progress);
   ready.how.go_on = missing != nullptr;
-  const std::vector<Missing> unsolved = models::solve(result, ready.how);
+  const std::vector<Missing> unsolved = modelling::solve(result, ready.how);
   if (missing != nullptr) missing->insert(missing->end(), unsolved.begin(), unsolved.end());
   return result;
 }
@@ -63,15 +63,15 @@ Result solve_file(const std::string& file, const std::vector<std::string>& model
 std::string write(const std::string& folder, const Result& result, bool report) {
   result::check_directory(folder);
   result::write_results(folder, result);
-  return report ? result::make_report(folder, models::script_directory().string()) : "";
+  return report ? result::make_report(folder, modelling::script_directory().string()) : "";
 }
 
 std::string figures_directory() {
-  return models::script_directory().string();
+  return modelling::script_directory().string();
 }
 
 std::string version() {
-  return models::version();
+  return modelling::version();
 }
 
 }  // namespace rollfem

@@ -26,7 +26,7 @@ std::string draw(const std::string& path) {
 }  // namespace
 
 const contact::ModelRegistry& known_models() {
-  static const contact::ModelRegistry models = models::built_in_models();
+  static const contact::ModelRegistry models = modelling::built_in_models();
   return models;
 }
 

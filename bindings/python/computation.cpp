@@ -27,7 +27,7 @@ namespace rollfem::python {
 
 using namespace py::literals;
 using contact::Scene;
-using models::Solving;
+using modelling::Solving;
 
 namespace {
 
@@ -72,7 +72,7 @@ class Computation {
   Computation(std::vector<std::string> models, py::object callback)
       : models_(std::move(models)), callback_(std::move(callback)) {}
   /// From the command line.
-  Computation(std::vector<std::string> models, models::Computing& asked)
+  Computation(std::vector<std::string> models, modelling::Computing& asked)
       : models_(std::move(models)), asked_(&asked) {
     frame_.emplace(asked, models_);
   }
@@ -80,7 +80,7 @@ class Computation {
   /// Calls `body` while MPI runs if a model needs it, and tells of stored work if it fails.
   void compute(const std::string& asked_by, const std::string& kept, const py::function& body) {
     if (!frame_) {
-      models::check_built(known_models(), models_, asked_by);
+      modelling::check_built(known_models(), models_, asked_by);
       body();
       return;
     }
@@ -99,7 +99,7 @@ class Computation {
     result->provenance = provenance("rollfem::solve");
     const std::vector<Missing> missing = working([&](Solving how) {
       how.go_on = true;
-      return models::solve(*result, how);
+      return modelling::solve(*result, how);
     });
     py::list without;
     for (const Missing& one : missing)
@@ -107,9 +107,9 @@ class Computation {
     return py::make_tuple(result, without);
   }
 
-  models::Scenes scenes(const Case& input) {
+  modelling::Scenes scenes(const Case& input) {
     return working([&](const Solving& how) {
-      return models::scenes_of(input, models::placed_wheels(input), how.progress);
+      return modelling::scenes_of(input, modelling::placed_wheels(input), how.progress);
     });
   }
 
@@ -172,7 +172,7 @@ class Computation {
   }
 
   result::Provenance provenance(const std::string& command) const {
-    return frame_ ? frame_->provenance() : models::provenance_of(known_models(), command);
+    return frame_ ? frame_->provenance() : modelling::provenance_of(known_models(), command);
   }
 
  private:
@@ -181,7 +181,7 @@ class Computation {
   auto working(const Work& work) -> decltype(work(std::declval<const Solving&>())) {
     return without_gil(frame_ ? py::none() : callback_, [&](const Progress& progress) {
       if (!frame_) {
-        const models::Ready ready = models::ready_for(known_models(), models_, progress);
+        const modelling::Ready ready = modelling::ready_for(known_models(), models_, progress);
         return work(ready.how);
       }
       Solving how = how_;
@@ -204,7 +204,7 @@ class Computation {
     };
     auto result = std::make_shared<Result>();
     try {
-      result->models = {models::solve_scene(level.model, level.scene, notes, how)};
+      result->models = {modelling::solve_scene(level.model, level.scene, notes, how)};
     } catch (const contact::Failure& error) {
       // Other processes may be inside a collective call.
       if (!all.together) throw;
@@ -216,8 +216,8 @@ class Computation {
 
   std::vector<std::string> models_;
   py::object callback_ = py::none();
-  models::Computing* asked_ = nullptr;
-  std::optional<models::CommandFrame> frame_;
+  modelling::Computing* asked_ = nullptr;
+  std::optional<modelling::CommandFrame> frame_;
   Solving how_;
   result::CheckpointFolder* kept_ = nullptr;
 };
@@ -306,34 +306,34 @@ void define_scenes(py::module_& module) {
 }
 
 void define_frame(py::module_& module) {
-  using models::Computing;
+  using modelling::Computing;
   py::class_<Computing>(module, "Computing")
       .def(py::init([](const std::string& command, bool quiet, bool resume, const std::string& part,
                        int merge) {
              const contact::OwnPart own =
-                 part.empty() ? contact::OwnPart() : models::parse_part(part);
+                 part.empty() ? contact::OwnPart() : modelling::parse_part(part);
              return std::unique_ptr<Computing>(
                  new Computing{known_models(), command, 0, nullptr, quiet, resume, own, merge});
            }),
            "command"_a, "quiet"_a, "resume"_a, "part"_a, "merge"_a);
   module.def("in_parts", [](Computing& asked, bool divisible, const std::string& folder,
                             const py::function& work) {
-    models::check_division(asked, 2, "");  // a study has several levels
-    models::in_parts(asked, divisible, folder, [&] { work(); });
+    modelling::check_division(asked, 2, "");  // a study has several levels
+    modelling::in_parts(asked, divisible, folder, [&] { work(); });
   });
-  module.def("tell_of_interruptions", &models::tell_of_interruptions);
+  module.def("tell_of_interruptions", &modelling::tell_of_interruptions);
   module.def("refuse_other_result", [](const std::string& folder, const std::string& own) {
-    models::refuse_other_result(folder, own);
+    modelling::refuse_other_result(folder, own);
   });
   module.def("check_directory", &result::check_directory);
   module.def("check_folder", [](const std::string& folder) { result::FilesTogether{folder}; });
   module.def("remove_records", &result::remove_records);
   module.def("checksum_of_case", &result::checksum_of_case);
   module.def("store", [](const std::string& folder, const Result& result) {
-    models::store_results(folder, result);
+    modelling::store_results(folder, result);
   });
-  module.def("switch_off_cache", &models::CorrectionCache::switch_off);
-  module.def("rank", [] { return models::processes().rank; });
+  module.def("switch_off_cache", &modelling::CorrectionCache::switch_off);
+  module.def("rank", [] { return modelling::processes().rank; });
 }
 
 }  // namespace
@@ -344,22 +344,22 @@ void define_computations(py::module_& module) {
   module.def("model_infos", &model_infos);
   module.def("compared_quantities", &compared_quantities);
   module.def("checked_names", [](const std::vector<std::string>& names, const std::string& option) {
-    return models::checked_names(known_models(), names, option);
+    return modelling::checked_names(known_models(), names, option);
   });
   module.def("refuse_choice",
              [](const std::vector<std::string>& names, const std::string& command) {
-               models::refuse_choice(known_models(), names, command);
+               modelling::refuse_choice(known_models(), names, command);
              });
   py::class_<contact::Note>(module, "Note").def_readonly("text", &contact::Note::text);
   py::class_<Level>(module, "Level").def(py::init<std::string, std::string, Scene, std::string>());
   py::class_<Computation>(module, "Computation")
-      .def(py::init<std::vector<std::string>, models::Computing&>(), py::keep_alive<1, 3>())
+      .def(py::init<std::vector<std::string>, modelling::Computing&>(), py::keep_alive<1, 3>())
       .def(py::init<std::vector<std::string>, py::object>())
       .def("compute", &Computation::compute)
       .def("solve", &Computation::solve)
       .def("scenes",
            [](Computation& self, const Case& input) {
-             models::Scenes found = self.scenes(input);
+             modelling::Scenes found = self.scenes(input);
              return std::pair(std::move(found.list), std::move(found.notes));
            })
       .def("solve_levels", &Computation::solve_levels)

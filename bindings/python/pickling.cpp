@@ -19,7 +19,7 @@ void exchange(Record& record, Result& result) {
 }
 
 std::string program() {
-  return models::version() + ' ' + models::commit();
+  return modelling::version() + ' ' + modelling::commit();
 }
 
 }  // namespace

@@ -133,12 +133,12 @@ py::tuple corrected(const Loaded& load, const Case& input, const py::object& pla
     patch->patch = place["patch"].cast<int>();
     patch->patches = place["patches"].cast<int>();
   }
-  std::vector<models::StoredRequest> asked;
+  std::vector<modelling::StoredRequest> asked;
   for (const auto& [request, along_normal] : requests)
     asked.push_back({request_of(request), along_normal});
   PointResult point = load.point(semi_axis_x, semi_axis_y);
   without_gil(py::none(), [&](const Progress&) {
-    models::add_corrected_stress(input, patch, load.grid, asked, point);
+    modelling::add_corrected_stress(input, patch, load.grid, asked, point);
     return 0;
   });
   py::list fields;
@@ -166,7 +166,7 @@ class StoredBody {
     Rows<6> stress;
     Rows<1> moved;
     for (const auto& place : rows_of<3>(places)) {
-      const models::BodySample sample = sampler_.at(place);
+      const modelling::BodySample sample = sampler_.at(place);
       found.push_back(sample.place);
       displacement.push_back(sample.displacement);
       stress.push_back(sample.stress);
@@ -192,16 +192,16 @@ class StoredBody {
     const contact::RollingLines lines = contact::rolling_lines(
         point, contact::rolling_step(point), contact::rolling_layers,
         [&](double along, double across, double depth) {
-          return models::Place{within(along, 0), within(across, 1), within(sign * depth, 2)};
+          return modelling::Place{within(along, 0), within(across, 1), within(sign * depth, 2)};
         });
     std::vector<double> xz;
-    for (const models::Place& place : lines.places) xz.push_back(sampler_.at(place).stress[5]);
+    for (const modelling::Place& place : lines.places) xz.push_back(sampler_.at(place).stress[5]);
     return maxima_of({contact::largest_xz_range(body_.name, lines, xz)});
   }
 
  private:
   contact::BodyField body_;
-  models::BodySampler sampler_;
+  modelling::BodySampler sampler_;
 };
 
 /// {model with stress: where its stress comes from}, the reference of the models first.

@@ -65,7 +65,7 @@ CreepTableReader filled(const Case& input, py::object callback) {
     throw py::error_already_set();
   return without_gil(std::move(callback), [&](const Progress& progress) {
     tables::CreepTable made = tables::empty_table(input);
-    made.program = "rollfem " + models::version() + " (" + models::commit() + ")";
+    made.program = "rollfem " + modelling::version() + " (" + modelling::commit() + ")";
     made.command = "rollfem.table";
     tables::fill_table(made, input, progress, nullptr);
     return CreepTableReader(std::move(made));

@@ -20,7 +20,7 @@
 
 namespace fs = std::filesystem;
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 using hybrid::SmoothBox;
 using hybrid::SmoothDepthMap;
@@ -214,4 +214,4 @@ std::vector<std::string> CorrectionCache::clear() const {
   return left;
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

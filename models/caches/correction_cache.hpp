@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// The smooth parts as bytes in this machine's byte order, for files and other processes.
 std::string packed(hybrid::SmoothParts parts);
@@ -61,4 +61,4 @@ class CorrectionCache {
   std::filesystem::path folder_;
 };
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -15,7 +15,7 @@
 #include <sstream>
 #include <utility>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 namespace {
 
@@ -291,4 +291,4 @@ Chosen choose(std::vector<Subject> contacts, const Wanted& wanted) {
   return Choice(std::move(contacts), wanted).run();
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

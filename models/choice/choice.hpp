@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// Time limit of a run without a requested accuracy, in predicted seconds, so that the same case
 /// leads to the same choice.
@@ -55,4 +55,4 @@ struct Chosen {
 /// Throws contact::InputError if no candidate can take all contacts, otherwise the first failure.
 Chosen choose(std::vector<Subject> contacts, const Wanted& wanted);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

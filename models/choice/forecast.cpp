@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 namespace {
 
@@ -158,4 +158,4 @@ void learn_from(Forecast& forecast, const Forecast& solved, std::size_t at) {
   inherit_error(forecast, solved);
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

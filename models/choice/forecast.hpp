@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// One grid of a model.
 struct Level {
@@ -102,4 +102,4 @@ void inherit_error(Forecast& forecast, const Forecast& corrected);
 /// assumed no better with the same number of elements.
 void learn_from(Forecast& forecast, const Forecast& solved, std::size_t at);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

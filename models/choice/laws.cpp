@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 namespace {
 
@@ -172,4 +172,4 @@ Forecast fem_forecast(const ContactSize& size) {
   return forecast;
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

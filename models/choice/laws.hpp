@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// Properties of a contact known before it is solved.
 struct ContactSize {
@@ -45,4 +45,4 @@ Forecast halfspace_forecast(const ContactSize& size);
 Forecast hybrid_forecast(const ContactSize& size);
 Forecast fem_forecast(const ContactSize& size);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <string>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 namespace {
 
@@ -106,4 +106,4 @@ const ParallelSession& parallel_session(const std::string& asked_by, int argc, c
   return session;
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

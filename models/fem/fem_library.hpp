@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// Opens the library; throws contact::InputError in a build without it, or when it is not found
 /// beside the program. `asked_by`: the option or key that requests the model, for the message.
@@ -31,4 +31,4 @@ struct ParallelSession {
 const ParallelSession& parallel_session(const std::string& asked_by, int argc = 0,
                                         char** argv = nullptr);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

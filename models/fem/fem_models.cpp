@@ -15,7 +15,7 @@
 #include <cmath>
 #include <string>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 using contact::Demand;
 using contact::ModelInput;
@@ -137,4 +137,4 @@ contact::ModelInfo fem_model() {
   return fem;
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

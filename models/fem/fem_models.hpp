@@ -6,7 +6,7 @@
 #include "contact/solve/model.hpp"
 #include "hybrid/hybrid_model.hpp"
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// Finds the correction of half-spaces for the bodies of a scene: in the cache
 /// (correction_cache.hpp), otherwise by the finite-element library, which it opens. Throws
@@ -20,4 +20,4 @@ bool correction_is_kept(const contact::Scene& scene);
 contact::ModelInfo hybrid_model();
 contact::ModelInfo fem_model();
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <iostream>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 namespace fs = std::filesystem;
 
@@ -214,4 +214,4 @@ void refuse_other_result(const fs::path& directory, const std::string& own) {
                       directory.string(), other));
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// What a command that computes was asked for.
 struct Computing {
@@ -93,4 +93,4 @@ void store_results(const std::string& directory, const result::RunRecord& record
 /// `own` is this command's own file.
 void refuse_other_result(const std::filesystem::path& directory, const std::string& own);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

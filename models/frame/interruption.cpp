@@ -9,7 +9,7 @@
 #include <deque>
 #include <unistd.h>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 namespace {
 
@@ -68,4 +68,4 @@ void say_when_interrupted(const std::string& what) {
   if (farewells.size() > 2) farewells.pop_front();
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// Installs handlers that print the last text given to `say_when_interrupted` and then end the
 /// program as usual (status 130 for Ctrl-C, 143 for SIGTERM). Ignored signals stay ignored.
@@ -19,4 +19,4 @@ void remove_when_interrupted(const std::string& path);
 /// Cancels these removals.
 void remove_nothing_when_interrupted();
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

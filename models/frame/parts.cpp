@@ -14,7 +14,7 @@
 #include <chrono>
 #include <thread>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 namespace fs = std::filesystem;
 
@@ -74,4 +74,4 @@ void in_parts(Computing& request, bool divisible, const fs::path& directory,
   work();
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

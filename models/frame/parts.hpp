@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 struct Computing;
 
@@ -32,4 +32,4 @@ void check_division(const Computing& request, std::size_t items, const std::stri
 void in_parts(Computing& request, bool divisible, const std::filesystem::path& directory,
               const std::function<void()>& work);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -9,7 +9,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 namespace {
 
@@ -124,4 +124,4 @@ void ProgressDisplay::clear_line() {
   line_open_ = false;
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

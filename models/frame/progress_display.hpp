@@ -13,7 +13,7 @@
 #include <string>
 #include <thread>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 class ProgressDisplay {
  public:
@@ -55,4 +55,4 @@ class ProgressDisplay {
 /// an estimate, the remaining seconds.
 std::string progress_line(const contact::ProgressEvent& event, double seconds);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

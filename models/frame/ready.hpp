@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// How to solve with these models; parallel ones wait for each other while it lives.
 struct Ready {
@@ -31,4 +31,4 @@ inline Ready ready_for(const contact::ModelRegistry& known, const std::vector<st
   return ready;
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -37,7 +37,7 @@ extern "C" int sched_yield() noexcept {
   return 0;
 }
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 std::string library_that_waits() {
   Dl_info found{};
@@ -46,4 +46,4 @@ std::string library_that_waits() {
   return file.find(".so") == file.npos ? std::string() : std::string(file);
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// The shared library whose sched_yield naps; for LD_PRELOAD of another program, which loads it too
 /// late otherwise. Empty in a static build.
 std::string library_that_waits();
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

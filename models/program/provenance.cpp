@@ -9,7 +9,7 @@
 #include <iostream>
 #include <unistd.h>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 namespace {
 
@@ -110,4 +110,4 @@ void leave(int status) {
   std::_Exit(status);
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 std::string version();
 /// Commit it was built from: "unknown" outside of a git checkout; ends in "-dirty" when files were
@@ -46,4 +46,4 @@ Processes processes();
 /// inside a collective call; mpirun then ends them. Never returns.
 [[noreturn]] void leave(int status);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -20,7 +20,7 @@
 #include <optional>
 #include <utility>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 namespace {
 
@@ -267,4 +267,4 @@ Chosen solve_by_choice(const std::vector<Scene>& scenes, const Solving& how) {
   return choose(std::move(subjects), wanted);
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// Entry of the registry: a description without a solver of its own.
 contact::ModelInfo auto_model();
@@ -30,4 +30,4 @@ void refuse_choice(const contact::ModelRegistry& models, const std::vector<std::
 /// parallel run.
 Chosen solve_by_choice(const std::vector<contact::Scene>& scenes, const Solving& how);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 namespace {
 
@@ -136,4 +136,4 @@ std::vector<contact::Scene> unbalanced_scenes(const Case& input, const Placed& p
   return scenes;
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

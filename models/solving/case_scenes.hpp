@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 struct Scenes {
   std::vector<contact::Scene> list;
@@ -49,4 +49,4 @@ std::vector<std::pair<std::string, std::string>> pair_tables(const contact::Case
 /// Table of the contacts of a case with profiles; nothing is solved.
 std::string contacts_text(const contact::Case& input, const track::SearchScene& search);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

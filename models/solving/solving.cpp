@@ -22,7 +22,7 @@
 #include <optional>
 #include <utility>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 namespace {
 
@@ -373,4 +373,4 @@ std::vector<MissingModel> solve(result::RunRecord& record, const Solving& how) {
   return solved.missing;
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

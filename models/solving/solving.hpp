@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 struct Solving {
   const contact::ModelRegistry* models = nullptr;
@@ -50,4 +50,4 @@ contact::ModelResult run_model(const std::string& name, const contact::Scene& sc
 contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
                                  const std::vector<contact::Note>& notes, const Solving& how);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

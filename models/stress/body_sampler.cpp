@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 namespace {
 
 constexpr int leaf_size = 8;
@@ -209,4 +209,4 @@ BodySample BodySampler::at(const Place& place) const {
   return sample;
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

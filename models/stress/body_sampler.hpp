@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 using Place = std::array<double, 3>;  ///< mm, global frame
 
@@ -70,4 +70,4 @@ class BodySampler {
   std::vector<Node> tree_;
 };
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

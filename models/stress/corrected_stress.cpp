@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 namespace {
 
 /// The scene of the patch.
@@ -54,4 +54,4 @@ void add_corrected_stress(const contact::Case& input,
   stresses.finish(grid, 0.0, 0.0, point);
 }
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

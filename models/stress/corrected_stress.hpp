@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 
 /// A request of a stored load point.
 struct StoredRequest {
@@ -24,4 +24,4 @@ void add_corrected_stress(const contact::Case& input,
                           const contact::ContactGrid& grid,
                           const std::vector<StoredRequest>& requests, contact::PointResult& point);
 
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling

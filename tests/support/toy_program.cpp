@@ -36,5 +36,5 @@ contact::ModelInfo stiff_model() {
 
 int main(int argc, char** argv) {
   test::add_power_law();
-  return app::run_program(argc, argv, models::built_in_models().add(stiff_model()));
+  return app::run_program(argc, argv, modelling::built_in_models().add(stiff_model()));
 }

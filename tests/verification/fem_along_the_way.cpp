@@ -107,7 +107,7 @@ TEST(FemAlongTheWay, SectionsAreTakenAtTheContact) {
 TEST(FemAlongTheWay, FastChangesAreRefused) {
   const contact::Scene steep = on_sections(steeply);
   EXPECT_GT(variation_of(steep), 1e-2);
-  const contact::ModelRegistry models = models::built_in_models();
+  const contact::ModelRegistry models = modelling::built_in_models();
   for (const char* name : {"fem", "hybrid"}) {
     const auto wrong = models.at(name).cannot(steep);
     EXPECT_TRUE(wrong && says(*wrong, "profiles that change over the patch by more than 1 %"))

@@ -32,14 +32,14 @@ contact::ModelInfo bodies() {
 /// its flange root at 6 mm (1.6 % of the width).
 result::RunRecord solve(const std::string& shifts, const std::string& head) {
   contact::ModelRegistry models;
-  models.add(models::auto_model()).add(halfspace::models().at("halfspace")).add(bodies());
+  models.add(modelling::auto_model()).add(halfspace::models().at("halfspace")).add(bodies());
   result::RunRecord record;
   record.input = contact::parse_case(
       head + edited(two_positions, {"wheelset.side=right", "wheelset.lateral_shift=" + shifts}),
-      "a.toml", models::model_words(models));
-  models::Solving how;
+      "a.toml", modelling::model_words(models));
+  modelling::Solving how;
   how.models = &models;
-  models::solve(record, how);
+  modelling::solve(record, how);
   return record;
 }
 

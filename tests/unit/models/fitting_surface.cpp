@@ -42,11 +42,11 @@ class FittingSurface : public ::testing::TestWithParam<const char*> {
                 "contact_grid.elements_across=10", "halfspace.surface=" + surface});
     result::RunRecord record;
     record.input =
-        contact::parse_case(text, folder_.path("case.toml"), models::model_words(models_));
-    models::Solving how;
+        contact::parse_case(text, folder_.path("case.toml"), modelling::model_words(models_));
+    modelling::Solving how;
     how.models = &models_;
     how.go_on = go_on;
-    missing_ = models::solve(record, how);
+    missing_ = modelling::solve(record, how);
     return record;
   }
 

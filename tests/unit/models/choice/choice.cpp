@@ -13,7 +13,7 @@
 
 namespace {
 
-using namespace rollfem::models;
+using namespace rollfem::modelling;
 
 /// Errors of a toy on 16 elements across; they fall with 1/n^1.5.
 struct Toy {

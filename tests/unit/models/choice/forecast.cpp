@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace rollfem::models;
+using namespace rollfem::modelling;
 
 Forecast model(const std::string& name, double model_error, double seconds) {
   Forecast forecast;

@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace rollfem::models;
+using namespace rollfem::modelling;
 
 ContactSize thesis(double half_length, double half_width, double radius_across) {
   ContactSize size;

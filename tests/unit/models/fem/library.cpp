@@ -22,7 +22,7 @@ bool processor_has(const std::string& ability) {
 
 TEST(FemLibrary, OpenBlasUsesTheWidestRegisters) {
   if (std::getenv("OPENBLAS_CORETYPE") != nullptr) GTEST_SKIP() << "OPENBLAS_CORETYPE is set";
-  rollfem::models::open_fem_library("this test");
+  rollfem::modelling::open_fem_library("this test");
   const auto core_name =
       reinterpret_cast<const char* (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
   if (core_name == nullptr) GTEST_SKIP() << "another BLAS";

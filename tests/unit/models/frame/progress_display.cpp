@@ -4,7 +4,7 @@
 
 #include "support/temporary_folder.hpp"
 
-using rollfem::models::progress_line;
+using rollfem::modelling::progress_line;
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "support/temporary_folder.hpp"
 
-namespace rollfem::models {
+namespace rollfem::modelling {
 namespace {
 
 /// A block of nx by ny by nz cells over [-3, 3] x [-2, 2] x [-4, 0]: `bend` maps the places.
@@ -159,4 +159,4 @@ TEST(BodySampler, ABodyWithoutStressIsRefused) {
 }
 
 }  // namespace
-}  // namespace rollfem::models
+}  // namespace rollfem::modelling
