@@ -13,7 +13,4 @@ struct AccuracyRequest {
   std::vector<std::string> of;     ///< quantities by their names in summary.json
 };
 
-/// Allowed names: the quantities declared for accuracy in result/quantities.cpp.
-std::vector<std::string> accuracy_words();
-
 }  // namespace rollfem::contact

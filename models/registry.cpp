@@ -5,6 +5,7 @@
 #include "halfspace/halfspace_models.hpp"
 #include "models/fem/fem_models.hpp"
 #include "models/solving/auto_model.hpp"
+#include "result/quantities.hpp"
 #include "theories/theory_models.hpp"
 
 #include <fmt/format.h>
@@ -26,8 +27,8 @@ ModelRegistry built_in_models() {
   return models;
 }
 
-contact::ModelWords model_words(const ModelRegistry& models) {
-  return {models.names(), models.names(&ModelInfo::in_run)};
+contact::KnownNames known_names(const ModelRegistry& models) {
+  return {models.names(), models.names(&ModelInfo::in_run), contact::accuracy_words()};
 }
 
 std::vector<std::string> checked_names(const ModelRegistry& models,

@@ -14,7 +14,7 @@ namespace rollfem::modelling {
 contact::ModelRegistry built_in_models();
 
 /// Names allowed in case files.
-contact::ModelWords model_words(const contact::ModelRegistry& models);
+contact::KnownNames known_names(const contact::ModelRegistry& models);
 
 /// Removes duplicates, keeping the order. Throws contact::InputError for an unknown name.
 std::vector<std::string> checked_names(const contact::ModelRegistry& models,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "result/quantities.hpp"
 
-#include "base/accuracy.hpp"
 #include "result/bars.hpp"
 
 #include <fmt/format.h>

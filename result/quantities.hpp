@@ -61,6 +61,9 @@ struct Quantity {
 /// In the order of the files.
 const std::vector<Quantity>& quantities();
 
+/// The names that `accuracy_of` may have.
+std::vector<std::string> accuracy_words();
+
 /// A field of a load point over the contact grid.
 struct PointField {
   const char* name;

@@ -17,7 +17,7 @@ namespace rollfem::app {
 namespace fs = std::filesystem;
 
 contact::Case CaseRequest::read(const std::string& file) const {
-  return contact::read_case(file, modelling::model_words(call.models), changes);
+  return contact::read_case(file, modelling::known_names(call.models), changes);
 }
 
 fs::path CaseRequest::folder(const std::string& ending) const {

@@ -121,7 +121,7 @@ struct CheckRequest : CaseRequest {
 void check_case(const CheckRequest& request) {
   const contact::ModelRegistry& models = request.call.models;
   const contact::Case input = request.read();
-  std::cout << contact::describe(input, modelling::model_words(models))
+  std::cout << contact::describe(input, modelling::known_names(models))
             << contact::derived_values(input);
   std::vector<std::string> warnings = warnings_of(input);
   modelling::Placed placed;
@@ -143,13 +143,13 @@ void check_case(const CheckRequest& request) {
 
 void new_case(const std::string& file, const contact::ModelRegistry& models) {
   if (file.empty()) {
-    std::cout << contact::case_template(modelling::model_words(models));
+    std::cout << contact::case_template(modelling::known_names(models));
     return;
   }
   if (std::filesystem::exists(file))
     throw contact::InputError(
         fmt::format("new-case: {} already exists; do: name another file", file));
-  result::write_file(file, contact::case_template(modelling::model_words(models)));
+  result::write_file(file, contact::case_template(modelling::known_names(models)));
 }
 
 }  // namespace

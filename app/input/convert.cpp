@@ -128,7 +128,7 @@ struct Verdict {
 Verdict checked(const fs::path& path, const contact::ModelRegistry& models) {
   Verdict verdict;
   try {
-    const contact::Case input = contact::read_case(path.string(), modelling::model_words(models));
+    const contact::Case input = contact::read_case(path.string(), modelling::known_names(models));
     if (!input.has_profiles()) return verdict;
     const modelling::Placed placed = modelling::placed_wheels(input);
     try {

@@ -163,10 +163,10 @@ std::string page_text(const std::string& page, const CLI::App& program,
   if (page == "bash") return bash_completion(program, models);
   if (page == "zsh") return zsh_completion(program, models);
   if (page == "man") return manual_page(program, modelling::version());
-  if (page == "schema") return result::case_schema(modelling::model_words(models));
+  if (page == "schema") return result::case_schema(modelling::known_names(models));
   if (page == "models") return modelling::models_markdown(models);
   if (page == "quantities") return contact::quantities_markdown();
-  return contact::case_reference_markdown(modelling::model_words(models));
+  return contact::case_reference_markdown(modelling::known_names(models));
 }
 
 }  // namespace

@@ -23,15 +23,15 @@ const contact::ModelRegistry& registry() {
 }  // namespace
 
 Case read_case(const std::string& file) {
-  return contact::read_case(file, modelling::model_words(registry()));
+  return contact::read_case(file, modelling::known_names(registry()));
 }
 
 Case parse_case(const std::string& text, const std::string& name) {
-  return contact::parse_case(text, name, modelling::model_words(registry()));
+  return contact::parse_case(text, name, modelling::known_names(registry()));
 }
 
 std::string describe(const Case& input) {
-  return contact::describe(input, modelling::model_words(registry()));
+  return contact::describe(input, modelling::known_names(registry()));
 }
 
 std::vector<std::string> models() {

@@ -139,7 +139,7 @@ PYBIND11_MODULE(_core, module) {
       .def_readonly("verdict", &Result::verdict)
       .def(py::pickle(&python::packed, &python::unpacked));
   module.def("read_case", [](const std::string& file, const std::vector<std::string>& changes) {
-    return contact::read_case(file, modelling::model_words(python::known_models()), changes);
+    return contact::read_case(file, modelling::known_names(python::known_models()), changes);
   });
   module.def("parse_case", &parse_case);
   module.def("models", &models);

@@ -16,7 +16,7 @@ namespace rollfem::contact {
 enum class KeyKind {
   text,     ///< any string
   word,     ///< one of `words`
-  words,    ///< a list of different `words`; without words, names given to the reader
+  words,    ///< a list of different `words` or `names`
   number,   ///< a float or integer within `bounds`
   integer,  ///< a whole number within `bounds`
   boolean,
@@ -43,6 +43,13 @@ struct Bounds {
 using KeyValue = std::variant<std::monostate, bool, double, std::string, std::vector<double>,
                               std::vector<std::string>>;
 
+/// Names that the keys do not declare, because what bears them lies above the case.
+struct KnownNames {
+  std::vector<std::string> models;          ///< empty: any name is accepted
+  std::vector<std::string> default_models;  ///< if the case names none
+  std::vector<std::string> quantities;      ///< whose accuracy may be asked for; empty: any
+};
+
 struct Key {
   std::string section;  ///< empty for the keys before the first section
   std::string name;
@@ -51,6 +58,7 @@ struct Key {
   std::string unit;    ///< empty when it has none
   Bounds bounds;
   std::vector<std::string> words;
+  std::vector<std::string> KnownNames::*names = nullptr;  ///< of words: these instead of `words`
   bool required = false;
   bool empty = false;       ///< of words: [] is allowed
   std::string when_absent;  ///< behaviour if missing, for keys without default value
@@ -63,6 +71,10 @@ struct Key {
   std::function<KeyValue(const Case&)> get;
   std::function<void(Case&, const KeyValue&)> set;
 
+  /// The words to choose from; empty: any.
+  const std::vector<std::string>& choices(const KnownNames& known) const {
+    return names != nullptr ? known.*names : words;
+  }
   /// "wheel.rolling_radius"
   std::string path() const { return section.empty() ? name : section + "." + name; }
 };

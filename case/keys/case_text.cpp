@@ -79,7 +79,7 @@ std::string toml_text(const KeyValue& value) {
   return std::visit(ValueText{}, value);
 }
 
-std::string allowed_values(const Key& key, const std::vector<std::string>& models, bool brief) {
+std::string allowed_values(const Key& key, const KnownNames& known, bool brief) {
   const auto said = [&](const char* full, const char* few) {
     return std::string(brief ? few : full);
   };
@@ -90,10 +90,10 @@ std::string allowed_values(const Key& key, const std::vector<std::string>& model
     case KeyKind::word:
       return said("one of ", "") + joined(key.words);
     case KeyKind::words:
-      if (key.words.empty() && models.empty()) return "a list of names";
+      if (key.choices(known).empty()) return "a list of names";
       return fmt::format("{}of {}",
                          key.empty ? "a list of some or none " : said("a list of some ", "some "),
-                         joined(key.words.empty() ? models : key.words));
+                         joined(key.choices(known)));
     case KeyKind::number:
       return said("a number ", "") + within;
     case KeyKind::integer:

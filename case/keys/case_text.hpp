@@ -20,9 +20,7 @@ std::string toml_text(const KeyValue& value);
 std::string joined(const std::vector<std::string>& texts);
 
 /// The values that a key accepts, in words: "a number from 0 to 1000", "one of first, second".
-/// `models`: the words of the key `models`, which its declaration does not contain. `brief`: in few
-/// words, for a table: "0 to 1000", "first, second".
-std::string allowed_values(const Key& key, const std::vector<std::string>& models = {},
-                           bool brief = false);
+/// `brief`: in few words, for a table: "0 to 1000", "first, second".
+std::string allowed_values(const Key& key, const KnownNames& known = {}, bool brief = false);
 
 }  // namespace rollfem::contact

@@ -157,6 +157,7 @@ inline constexpr TraitOf<std::string> example{&Key::example};
 /// Behaviour without the key, if there is no default value.
 inline constexpr TraitOf<std::string> otherwise{&Key::when_absent};
 inline constexpr TraitOf<Words> among{&Key::words};
+inline constexpr TraitOf<Words KnownNames::*> among_known{&Key::names};
 /// Lists with the same `per` have equal length: that of the list that `counts` them, if it is
 /// given. A single number in another list applies to all entries.
 inline constexpr TraitOf<std::string> per{&Key::per};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The load, and what stands before the first section.
-#include "base/accuracy.hpp"
 #include "case/keys/key_builder.hpp"
 
 namespace rollfem::contact {
@@ -16,6 +15,7 @@ SectionWithKeys general_section() {
       Access<Case>{
           [](const Case& c) -> KeyValue { return c.models.empty() ? KeyValue() : c.models; },
           [](Case& c, const KeyValue& v) { c.models = std::get<Words>(v); }},
+      among_known(&KnownNames::models),
       "Models that `run` solves, in this order; `--model` overrides it. `auto`, on its own, "
       "chooses the cheapest of halfspace, hybrid and fem that meets `accuracy` (docs/choice.md).");
   keys.add("accuracy", &Case::accuracy, between(1e-5, 0.5), otherwise("unset: no refinement"),
@@ -23,7 +23,7 @@ SectionWithKeys general_section() {
            "halve their cells until it is reached; if memory or the finest grid ends this first, "
            "the status is 1. auto chooses model and grid, model error included; its default is "
            "0.01, and missing that only a warning.");
-  keys.add("accuracy_of", &Case::accuracy_of, among(accuracy_words()),
+  keys.add("accuracy_of", &Case::accuracy_of, among_known(&KnownNames::quantities),
            "Quantities that `accuracy` applies to, at the worst load point; errors are relative to "
            "the value, of traction_coefficient to mu, of max_traction_x to mu p_0.");
   return keys;

@@ -99,7 +99,7 @@ bool is_bare_word(const std::string& value, const Key* key) {
 constexpr const char* example = "--set friction.coefficient=0.3";
 
 /// Read as a separate case file, so that errors are reported for the option and not for the file.
-Change read_change(const std::string& text, const ModelWords& models) {
+Change read_change(const std::string& text, const KnownNames& known) {
   const std::size_t equals = text.find('=');
   const bool printable = std::all_of(text.begin(), text.end(), [](const char c) {
     return static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
@@ -126,7 +126,7 @@ Change read_change(const std::string& text, const ModelWords& models) {
         fmt::format("{}: [[{}]] may be repeated; allowed: keys of other sections; do: "
                     "change it in the case file",
                     option, change.section));
-  static_cast<void>(read_toml(header + change.line() + "\n", option, models.known));
+  static_cast<void>(read_toml(header + change.line() + "\n", option, known));
   return change;
 }
 
@@ -191,9 +191,9 @@ std::vector<std::pair<const Key*, std::string>> named_files(const Case& input) {
 
 // Descriptions of a case: `check`, `new-case` and the reference page.
 
-Case defaults(const ModelWords& models) {
+Case defaults(const KnownNames& known) {
   Case input = default_case();
-  input.models = models.by_default;
+  input.models = known.default_models;
   return input;
 }
 
@@ -223,10 +223,10 @@ std::string default_text(const Key& key, const Case& by_default) {
 }
 
 /// One key of the template: its sentence, the allowed values, and the line itself.
-std::string template_key(const Key& key, const ModelWords& models, bool commented_out) {
-  const Case by_default = defaults(models);
+std::string template_key(const Key& key, const KnownNames& known, bool commented_out) {
+  const Case by_default = defaults(known);
   const std::string value = key.example.empty() ? toml_text(key.get(by_default)) : key.example;
-  std::string text = fmt::format("# {}\n# {}", key.sentence, allowed_values(key, models.known));
+  std::string text = fmt::format("# {}\n# {}", key.sentence, allowed_values(key, known));
   text += key.required ? "; required.\n"
                        : fmt::format("; default: {}.\n", default_text(key, by_default));
   if (value.empty())
@@ -238,12 +238,12 @@ std::string template_key(const Key& key, const ModelWords& models, bool commente
 
 }  // namespace
 
-Case parse_case(const std::string& text, const std::string& name, const ModelWords& models) {
+Case parse_case(const std::string& text, const std::string& name, const KnownNames& known) {
   if (text.size() > largest_file)
     fail_file(name, "is larger than 1 MB, so it is not a case file", "give a case file in TOML");
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     fail_file(name, "is empty", "fill it in; `rollfem new-case` prints a template");
-  Case input = case_of(read_toml(text, name, models.known), models.by_default);
+  Case input = case_of(read_toml(text, name, known), known.default_models);
   input.text = text;
   return input;
 }
@@ -261,11 +261,11 @@ Case make_case(const NamedValues& values, const std::string& name) {
   return case_of(given, {});
 }
 
-Case read_case(const std::string& path, const ModelWords& models,
+Case read_case(const std::string& path, const KnownNames& known,
                const std::vector<std::string>& changes) {
   std::string text =
       text_of_file(path, path, largest_file, "name a case file (.toml); cases/ holds examples");
-  return parse_case(with_changes(std::move(text), path, changes, models), path, models);
+  return parse_case(with_changes(std::move(text), path, changes, known), path, known);
 }
 
 std::vector<SubsurfaceRequest> read_places(const std::string& path) {
@@ -307,10 +307,10 @@ std::vector<std::string> files_read_by(const Case& input) {
 }
 
 std::string with_changes(std::string text, const std::string& file,
-                         const std::vector<std::string>& changes, const ModelWords& models) {
+                         const std::vector<std::string>& changes, const KnownNames& known) {
   for (const std::string& change : changes) {
-    static_cast<void>(read_toml(text, file, models.known));
-    make(read_change(change, models), file, text);
+    static_cast<void>(read_toml(text, file, known));
+    make(read_change(change, known), file, text);
   }
   return text;
 }
@@ -329,8 +329,8 @@ std::string text_in_folder(const Case& input, const std::string& folder) {
   return text;
 }
 
-std::string describe(const Case& input, const ModelWords& models) {
-  const Case by_default = defaults(models);
+std::string describe(const Case& input, const KnownNames& known) {
+  const Case by_default = defaults(known);
   const toml::table file = toml::parse(input.text + "\n");  // the reader has accepted it
   std::string text = fmt::format("{}\n", input.title);
   if (!input.file.empty()) text += fmt::format("  {:<22} {}\n", "file", input.file);
@@ -353,7 +353,7 @@ std::string describe(const Case& input, const ModelWords& models) {
   return text;
 }
 
-std::string case_template(const ModelWords& models) {
+std::string case_template(const KnownNames& known) {
   std::string text =
       "# A case of rolling contact for rollfem. Units: mm, N, MPa, rad. x is the rolling\n"
       "# direction, y lateral, z normal. Paths are relative to this file; sections in [[ ]]\n"
@@ -366,13 +366,13 @@ std::string case_template(const ModelWords& models) {
       text += section.name.empty() ? "\n"
                                    : fmt::format("\n# {}\n[{}]\n", section.sentence, section.name);
     for (const Key& key : section)
-      text += template_key(key, models, section.repeated || section.of_profiles);
+      text += template_key(key, known, section.repeated || section.of_profiles);
   }
   return text;
 }
 
-std::string case_reference_markdown(const ModelWords& models) {
-  const Case by_default = defaults(models);
+std::string case_reference_markdown(const KnownNames& known) {
+  const Case by_default = defaults(known);
   std::string text =
       "# Case file reference\n\n"
       "<!-- Made by `rollfem docs case-file` from the declarations in case/keys/; "
@@ -394,7 +394,7 @@ std::string case_reference_markdown(const ModelWords& models) {
     for (const Key& key : section) {
       const std::string row = fmt::format(
           "| `{}`{}{} | {} | {} | {} |\n", key.name, key.symbol.empty() ? "" : " ", key.symbol,
-          allowed_values(key, models.known, true), default_text(key, by_default), key.sentence);
+          allowed_values(key, known, true), default_text(key, by_default), key.sentence);
       rows.insert(row);
       if (last_rows.count(row) == 0)
         told += row;

@@ -3,7 +3,7 @@
 // the reference page, all from one declaration of the keys.
 #pragma once
 
-#include "case/case.hpp"
+#include "case/keys/case_keys.hpp"
 
 #include <string>
 #include <utility>
@@ -12,19 +12,13 @@
 
 namespace rollfem::contact {
 
-/// The names of models allowed in a case file, supplied by the caller.
-struct ModelWords {
-  std::vector<std::string> known;       ///< empty: any name is accepted
-  std::vector<std::string> by_default;  ///< if the case names none
-};
-
 /// Reads and checks a case file. Throws InputError with one message: FILE:LINE:COLUMN, key, value,
 /// allowed values, remedy. `changes`: as with_changes; the case then holds the changed text.
-Case read_case(const std::string& path, const ModelWords& models = {},
+Case read_case(const std::string& path, const KnownNames& known = {},
                const std::vector<std::string>& changes = {});
 
 /// The same from text; messages use `name` for the file.
-Case parse_case(const std::string& text, const std::string& name, const ModelWords& models = {});
+Case parse_case(const std::string& text, const std::string& name, const KnownNames& known = {});
 
 /// A number or text for each "section.key".
 using NamedValues = std::vector<std::pair<std::string, std::variant<double, std::string>>>;
@@ -38,13 +32,13 @@ Case make_case(const NamedValues& values, const std::string& name);
 std::vector<SubsurfaceRequest> read_places(const std::string& path);
 
 /// How the case is read: every key with value, unit and whether it is the default. Multi-line text.
-std::string describe(const Case& input, const ModelWords& models = {});
+std::string describe(const Case& input, const KnownNames& known = {});
 
 /// A commented case file with defaults, which parse_case accepts.
-std::string case_template(const ModelWords& models = {});
+std::string case_template(const KnownNames& known = {});
 
 /// docs/case-file.md: every key with type, unit, bounds, default and one sentence.
-std::string case_reference_markdown(const ModelWords& models = {});
+std::string case_reference_markdown(const KnownNames& known = {});
 
 // Changes of single keys, as in `--set friction.coefficient=0.3`. The text itself is edited, so
 // that the case stored with the results is the one that was solved.
@@ -54,7 +48,7 @@ std::string case_reference_markdown(const ModelWords& models = {});
 /// is used in messages. Throws InputError when the text is not a case file, or a change has an
 /// unknown key or an invalid value.
 std::string with_changes(std::string text, const std::string& file,
-                         const std::vector<std::string>& changes, const ModelWords& models = {});
+                         const std::vector<std::string>& changes, const KnownNames& known = {});
 
 /// The files that a case reads, each once: those that its keys name, and those that lists of
 /// sections among them name.

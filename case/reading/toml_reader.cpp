@@ -67,8 +67,8 @@ std::string move_to(const std::vector<std::string>& sections, const std::string&
 /// Converts TOML into checked key values; every fault becomes one InputError.
 class Reader {
  public:
-  Reader(const std::string& text, const std::string& file, const std::vector<std::string>& models)
-      : source_(text, file), models_(models) {
+  Reader(const std::string& text, const std::string& file, const KnownNames& known)
+      : source_(text, file), known_(known) {
     given_.file = file;
   }
 
@@ -194,7 +194,7 @@ class Reader {
                 const toml::source_region& name_source, const toml::node& node) {
     const Key* key = find_key(section, name);
     if (key == nullptr) fail_unknown(section, name, name_source);
-    given_.values[key] = read_value(source_, *key, models_, node);
+    given_.values[key] = read_value(source_, *key, known_, node);
   }
 
   [[noreturn]] void fail_unknown(const std::string& section, const std::string& name,
@@ -220,7 +220,7 @@ class Reader {
   }
 
   const TomlSource source_;
-  const std::vector<std::string>& models_;
+  const KnownNames& known_;
   GivenCase given_;
 };
 
@@ -230,9 +230,8 @@ void fail_file(const std::string& file, const std::string& wrong, const std::str
   throw FileError(file + ": " + wrong + "; do: " + action);
 }
 
-GivenCase read_toml(const std::string& text, const std::string& file,
-                    const std::vector<std::string>& models) {
-  return Reader(text, file, models).read();
+GivenCase read_toml(const std::string& text, const std::string& file, const KnownNames& known) {
+  return Reader(text, file, known).read();
 }
 
 }  // namespace rollfem::contact

@@ -10,9 +10,8 @@
 namespace rollfem::contact {
 
 /// Checks that every key is known and its value allowed, not their consistency. `file` is used in
-/// messages; `models` lists the allowed model names, empty for any. Throws InputError.
-GivenCase read_toml(const std::string& text, const std::string& file,
-                    const std::vector<std::string>& models = {});
+/// messages. Throws InputError.
+GivenCase read_toml(const std::string& text, const std::string& file, const KnownNames& known = {});
 
 /// Throws FileError: the file as a whole is wrong.
 [[noreturn]] void fail_file(const std::string& file, const std::string& wrong,

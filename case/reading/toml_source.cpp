@@ -167,9 +167,9 @@ std::string kind_is(const toml::node& node) {
 /// One value of one key, or an item of a list with its own position in the file.
 class ValueReader {
  public:
-  ValueReader(const TomlSource& source, const Key& key, const std::vector<std::string>& names,
+  ValueReader(const TomlSource& source, const Key& key, const KnownNames& known,
               const toml::node& node)
-      : source_(source), key_(key), names_(names), node_(node) {
+      : source_(source), key_(key), known_(known), node_(node) {
     given_.line = node.source().begin.line;
     given_.column = node.source().begin.column;
     given_.text = source.value(node.source());
@@ -184,7 +184,7 @@ class ValueReader {
   [[noreturn]] void fail_value(const std::string& wrong) const {
     const bool words = key_.kind == KeyKind::word || key_.kind == KeyKind::words;
     fail(source_.file(),
-         {given_.line, given_.column, key_.path(), given_.text, wrong, allowed_values(key_, names_),
+         {given_.line, given_.column, key_.path(), given_.text, wrong, allowed_values(key_, known_),
           words ? "write one of these names in quotes"
                 : fmt::format("correct it, for instance {}", instance_of(key_))});
   }
@@ -232,7 +232,7 @@ class ValueReader {
   std::string word_of(const toml::node& node) const {
     if (!node.is_string()) fail_value("expected a string in quotes, got " + kind_is(node));
     const std::string word = node.value_or(std::string());
-    const std::vector<std::string>& words = key_.words.empty() ? names_ : key_.words;
+    const std::vector<std::string>& words = key_.choices(known_);
     if (words.empty() || std::find(words.begin(), words.end(), word) != words.end()) return word;
     const std::string near = nearest_name(word, words);
     fail_value(near.empty() ? "is not known" : fmt::format("is not known (near: {})", near));
@@ -285,13 +285,13 @@ class ValueReader {
       fail_value(fmt::format("has more than {} entries", longest_list));
     std::vector<double> numbers;
     for (const toml::node& item : array)
-      numbers.push_back(ValueReader(source_, key_, names_, item).number());
+      numbers.push_back(ValueReader(source_, key_, known_, item).number());
     return numbers;
   }
 
   const TomlSource& source_;
   const Key& key_;
-  const std::vector<std::string>& names_;
+  const KnownNames& known_;
   const toml::node& node_;
   GivenValue given_;
 };
@@ -363,9 +363,9 @@ std::string TomlSource::value(const toml::source_region& region) const {
          (one_line ? "" : " ...");
 }
 
-GivenValue read_value(const TomlSource& source, const Key& key,
-                      const std::vector<std::string>& names, const toml::node& node) {
-  return ValueReader(source, key, names, node).read();
+GivenValue read_value(const TomlSource& source, const Key& key, const KnownNames& known,
+                      const toml::node& node) {
+  return ValueReader(source, key, known, node).read();
 }
 
 GivenValue checked_value(const std::string& file, const Key& key,

@@ -54,10 +54,10 @@ std::string meaning_of(std::string_view description, const std::string& line);
 
 inline constexpr std::size_t longest_list = 1000;
 
-/// `names`: allowed words for a key that declares none. Throws InputError when the value is not
+/// Throws InputError when the value is not
 /// allowed for the key.
-GivenValue read_value(const TomlSource& source, const Key& key,
-                      const std::vector<std::string>& names, const toml::node& node);
+GivenValue read_value(const TomlSource& source, const Key& key, const KnownNames& known,
+                      const toml::node& node);
 
 /// The same for a value that stands in no file; messages use `file`.
 GivenValue checked_value(const std::string& file, const Key& key,

@@ -57,14 +57,14 @@ Json text_of(const std::vector<std::string>& words) {
   return schema;
 }
 
-Json value_of(const Key& key, const contact::ModelWords& models) {
+Json value_of(const Key& key, const contact::KnownNames& known) {
   switch (key.kind) {
     case KeyKind::text:
       return text_of({});
     case KeyKind::word:
       return text_of(key.words);
     case KeyKind::words: {
-      Json schema = list_of(text_of(key.words.empty() ? models.known : key.words), 0);
+      Json schema = list_of(text_of(key.choices(known)), 0);
       schema["uniqueItems"] = true;
       return schema;
     }
@@ -90,21 +90,21 @@ Json value_of(const Key& key, const contact::ModelWords& models) {
 }
 
 /// Text that an editor shows for the key.
-std::string description(const Key& key, const contact::ModelWords& models) {
+std::string description(const Key& key, const contact::KnownNames& known) {
   std::string text = key.sentence;
   if (!key.unit.empty()) text += fmt::format(" Unit: {}.", key.unit);
-  text += fmt::format(" Allowed: {}.", contact::allowed_values(key, models.known));
+  text += fmt::format(" Allowed: {}.", contact::allowed_values(key, known));
   if (!key.when_absent.empty()) text += fmt::format(" Default: {}.", key.when_absent);
   return text;
 }
 
-Json section_of(const contact::Section& section, const contact::ModelWords& models) {
+Json section_of(const contact::Section& section, const contact::KnownNames& known) {
   Json schema{{"type", "object"}, {"description", section.sentence}};
   schema["additionalProperties"] = false;
   schema["properties"] = Json::object();
   for (const Key& key : section) {
-    Json value = value_of(key, models);
-    value["description"] = description(key, models);
+    Json value = value_of(key, known);
+    value["description"] = description(key, known);
     schema["properties"][key.name] = std::move(value);
     // Elsewhere another section may replace it, as profiles replace radii.
     if (key.required && section.repeated) schema["required"].push_back(key.name);
@@ -115,12 +115,12 @@ Json section_of(const contact::Section& section, const contact::ModelWords& mode
 
 }  // namespace
 
-std::string case_schema(const contact::ModelWords& models) {
+std::string case_schema(const contact::KnownNames& known) {
   Json root;
   root["$schema"] = "http://json-schema.org/draft-07/schema#";
   root["title"] = "rollfem case file";
   for (const contact::Section& section : contact::case_sections()) {
-    Json schema = section_of(section, models);
+    Json schema = section_of(section, known);
     if (section.name.empty()) {
       root.update(schema);
       continue;

@@ -11,6 +11,6 @@ namespace rollfem::result {
 /// Derived from the table of keys: types, bounds, words, defaults and sentences. Unknown keys are
 /// errors, as for the reader of cases. Only the reader checks rules that involve several keys (one
 /// of normal_force and approach, lists of equal length).
-std::string case_schema(const contact::ModelWords& models);
+std::string case_schema(const contact::KnownNames& known);
 
 }  // namespace rollfem::result

@@ -14,9 +14,9 @@ using namespace rollfem;
 std::string outcome_of(const std::string& input) {
   try {
     const contact::ModelRegistry& models = rollfem::testing::half_space_models();
-    contact::ModelWords words;
-    for (const contact::ModelInfo& model : models.all()) words.known.push_back(model.name);
-    words.by_default = {"halfspace"};
+    contact::KnownNames words;
+    for (const contact::ModelInfo& model : models.all()) words.models.push_back(model.name);
+    words.default_models = {"halfspace"};
     const contact::Case read = contact::parse_case(input, "case.toml", words);
     static_cast<void>(contact::describe(read, words));
     static_cast<void>(contact::derived_values(read));

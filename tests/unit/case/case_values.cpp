@@ -11,8 +11,8 @@
 namespace {
 
 /// As the program has them from its registry.
-const contact::ModelWords models{{"hertz", "strip", "halfspace", "fem"},
-                                 {"hertz", "halfspace", "fem"}};
+const contact::KnownNames models{
+    {"hertz", "strip", "halfspace", "fem"}, {"hertz", "halfspace", "fem"}, {}};
 
 TEST(CaseValues, SmallCaseHasItsValuesAndDefaults) {
   const Case input = parse_case(small_case, "folder/small.toml", models);
@@ -146,7 +146,7 @@ TEST(CaseValues, DottedKeysWindowsLineEndsAndListsOverManyLinesAreRead) {
 TEST(CaseValues, TemplateIsAValidCaseWithTheDefaultsInIt) {
   const Case input = parse_case(contact::case_template(models), "template.toml", models);
   const Case defaults = contact::default_case();
-  EXPECT_EQ(input.models, models.by_default);
+  EXPECT_EQ(input.models, models.default_models);
   EXPECT_EQ(input.contact_grid.elements_across, defaults.contact_grid.elements_across);
   EXPECT_EQ(input.rolling.creepages.size(), 7u);
   // A caller without models accepts any name, and an empty list.

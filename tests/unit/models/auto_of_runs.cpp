@@ -36,7 +36,7 @@ result::RunRecord solve(const std::string& shifts, const std::string& head) {
   result::RunRecord record;
   record.input = contact::parse_case(
       head + edited(two_positions, {"wheelset.side=right", "wheelset.lateral_shift=" + shifts}),
-      "a.toml", modelling::model_words(models));
+      "a.toml", modelling::known_names(models));
   modelling::Solving how;
   how.models = &models;
   modelling::solve(record, how);

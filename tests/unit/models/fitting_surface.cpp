@@ -42,7 +42,7 @@ class FittingSurface : public ::testing::TestWithParam<const char*> {
                 "contact_grid.elements_across=10", "halfspace.surface=" + surface});
     result::RunRecord record;
     record.input =
-        contact::parse_case(text, folder_.path("case.toml"), modelling::model_words(models_));
+        contact::parse_case(text, folder_.path("case.toml"), modelling::known_names(models_));
     modelling::Solving how;
     how.models = &models_;
     how.go_on = go_on;

@@ -2,8 +2,6 @@
 // The table of scalars: every row refers to a different member, and its information on errors.
 #include "result/quantities.hpp"
 
-#include "base/accuracy.hpp"
-
 #include "support/test.hpp"
 
 TEST(Quantities, EachReachesAMemberOfItsOwn) {
