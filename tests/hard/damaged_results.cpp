@@ -9,9 +9,9 @@
 #include "tables/files/table_files.hpp"
 
 #include "support/damage.hpp"
-#include "support/output_synthetic_run.hpp"
 #include "support/records_in_memory.hpp"
 #include "support/shifted_table.hpp"
+#include "support/small_run.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"
 #include <chrono>
@@ -23,9 +23,7 @@ namespace fs = std::filesystem;
 
 TEST(DamagedResults, AreRefusedBeforeHdf5SeesThem) {
   const TemporaryFolder folder;
-  result::RunRecord run = synthetic_run();
-  run.models.resize(1);
-  const std::string sound = result::results_hdf5(run);
+  const std::string sound = result::results_hdf5(small_run());
   ASSERT_TRUE(result::hdf5_seal_is_intact(folder.file("sound.h5", sound), ""));
   for (int k = 0, files = damaged_files(500); k < files; ++k) {
     Damage damage(static_cast<unsigned long long>(k));

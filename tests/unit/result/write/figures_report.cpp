@@ -3,19 +3,27 @@
 // folder. What it draws: tests/cli/test_figures.py.
 #include "result/write/output.hpp"
 
-#include "support/output_in_folder.hpp"
-#include "support/output_synthetic_run.hpp"
+#include "support/places.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace fs = std::filesystem;
 
 namespace rollfem::result {
 namespace {
 
-using FiguresTest = InFolder;
+const std::string scripts = std::string(ROLLFEM_SOURCE_DIR) + "/postprocess";
+
+/// `base_` is empty at first and removed at the end.
+class FiguresTest : public ::testing::Test {
+  const TemporaryFolder folder_;
+
+ protected:
+  const fs::path base_ = folder_.path();
+};
 
 TEST_F(FiguresTest, ADefectOfThePlottingIsOneLineAndATextInAFile) {
   const fs::path folder = base_ / "result with spaces";
-  write_results(folder.string(), synthetic_run());
+  fs::create_directory(folder);
   const fs::path scripts_here = base_ / "rollfem";
   fs::create_directory(scripts_here);
   std::ofstream(scripts_here / "__init__.py") << "";
