@@ -114,8 +114,8 @@ def test_check_accepts_converted_cases(rollfem, text):
 def wheel(rollfem):
     """Profiles of our own beside an input of the left wheel."""
     def write(text, of_rail=lambda y, z: (y, z), more=lambda points: points):
-        rollfem.file("work/wheel.csv", columns(more(points_of(rollfem, "S1002"))))
-        rollfem.file("work/rail.csv", columns([of_rail(y, z) for y, z in points_of(rollfem, "60E1")]))
+        rollfem.file("work/wheel.csv", columns(more(points_of("S1002"))))
+        rollfem.file("work/rail.csv", columns([of_rail(y, z) for y, z in points_of("60E1")]))
         return rollfem.file("work/wheel.inp", text)
     return write
 

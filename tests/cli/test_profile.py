@@ -116,7 +116,7 @@ def test_files_without_a_profile_are_refused_and_nothing_is_written(rollfem, wor
 
 def test_the_keys_of_one_message_mend_a_file(rollfem):
     """A measured rail with every kind of fault: the keys of one message, pasted into the case, mend it."""
-    points = [(y, -z) for y, z in reversed(points_of(rollfem, "60E1", 0.2))]
+    points = [(y, -z) for y, z in reversed(points_of("60E1", 0.2))]
     points.insert(300, (points[299][0] + 0.5, points[299][1] + 0.1))
     points.insert(200, points[199])
     del points[100:130]
@@ -131,7 +131,7 @@ def test_the_keys_of_one_message_mend_a_file(rollfem):
 
 def test_scatter_is_reported_with_the_smoothing_that_it_needs(rollfem):
     normal = random.Random(2)
-    rollfem.file("rail.txt", columns([(y, z + normal.gauss(0, 0.004)) for y, z in points_of(rollfem, "60E1", 0.2)]))
+    rollfem.file("rail.txt", columns([(y, z + normal.gauss(0, 0.004)) for y, z in points_of("60E1", 0.2)]))
     file = rollfem.case(s1002_on("rail.txt", largest_kink=60))
     says(rollfem.done("profile", file, "--rail").out, "put `smoothing = 0.00")
     says(rollfem.done("check", file).err, f'warning: {file}: rail.profile = "rail.txt": its points scatter by 0.00',
@@ -142,7 +142,7 @@ def test_scatter_is_reported_with_the_smoothing_that_it_needs(rollfem):
 @pytest.mark.parametrize("command", ["profile", "check"])
 def test_coarse_rounding_of_dense_points_is_reported(rollfem, command):
     def said_of(spacing, decimals):
-        points = points_of(rollfem, "60E1", spacing)
+        points = points_of("60E1", spacing)
         rollfem.file("rail.txt", "".join(f"{y:.{decimals}f} {z:.{decimals}f}\n" for y, z in points))
         return rollfem.done(command, rollfem.case(s1002_on("rail.txt"))).err
 

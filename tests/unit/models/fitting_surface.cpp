@@ -14,10 +14,10 @@ namespace {
 
 /// S1002 worn by 0.5 mm from the root to the field side, less by 0.2 mm around y = -22.
 std::string worn_wheel() {
-  return changed("S1002", [](Points& points) {
-    for (auto& [y, z] : points)
-      z += 0.2 * std::exp(-std::pow((y + 22.0) / 5.0, 2)) - 0.5 / (1.0 + std::exp(-(y + 33.4)));
-  });
+  Points points = points_of("S1002");
+  for (auto& [y, z] : points)
+    z += 0.2 * std::exp(-std::pow((y + 22.0) / 5.0, 2)) - 0.5 / (1.0 + std::exp(-(y + 33.4)));
+  return columns(points);
 }
 
 class FittingSurface : public ::testing::TestWithParam<const char*> {
