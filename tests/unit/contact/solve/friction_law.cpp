@@ -2,10 +2,9 @@
 // Coulomb's law and friction that falls with slip: formulas, and in the tangential problem.
 #include "scene/friction_law.hpp"
 
-#include "contact/iteration/tangential.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 
-#include "support/test.hpp"
+#include "support/springs.hpp"
 #include "support/thesis_cases.hpp"
 
 namespace rollfem::contact {
@@ -15,24 +14,6 @@ namespace {
 FallingFriction hyperbola(double at_rest, double scale) {
   return {FallShape::rational, 0.0, {{{at_rest, scale}, {}}}};
 }
-
-/// T = c I: every element on its own.
-class Springs : public TangentialOperator {
- public:
-  Springs(const ContactGrid& grid, double c) : grid_(grid), c_(c) {}
-  const ContactGrid& grid() const override { return grid_; }
-  TangentialField apply(const TangentialField& p) const override { return {c_ * p.x, c_ * p.y}; }
-  double diagonal() const override { return c_; }
-  TangentialField precondition(const TangentialField& residual, double r,
-                               double shift) const override {
-    const double inverse = 1.0 / (r * c_ + shift);
-    return {inverse * residual.x, inverse * residual.y};
-  }
-
- private:
-  ContactGrid grid_;
-  double c_;
-};
 
 TEST(FrictionLaws, DerivativesAreThoseOfTheCoefficient) {
   const std::array<FallingFriction::Part, 2> parts{{{0.1, 2e-3}, {0.07, 3e-2}}};

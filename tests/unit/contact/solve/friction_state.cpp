@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Friction that remembers: mu along a row against the solution of its differential equation, its
 // order, its derivative, and steps of a history.
-#include "contact/iteration/friction_state.hpp"
-
-#include "support/test.hpp"
-#include <numeric>
+#include "support/friction_row.hpp"
 
 namespace rollfem::contact {
 namespace {
@@ -17,53 +14,12 @@ FallingFriction law_with(std::optional<FrictionMemory> memory) {
   return {FallShape::exponential, 0.15, {{{0.25, half_slip}, {}}}, memory};
 }
 
-/// A row in contact at x in (0, 1): its leading edge is at 1, its bound falls there as sqrt(d).
-struct Row {
-  explicit Row(int elements) {
-    grid.nx = elements + 4;
-    grid.ny = 1;
-    grid.dx = 1.0 / elements;
-    grid.dy = 1.0;
-    grid.x_first = -1.5 * grid.dx;
-    pressure = Field::Zero(grid.nx);
-    places.resize(static_cast<std::size_t>(elements));
-    std::iota(places.begin(), places.end(), 2);
-    for (const Eigen::Index k : places) pressure[k] = std::sqrt(1.0 - grid.x(static_cast<int>(k)));
-    still.rigid_slip = {Field::Zero(grid.nx), Field::Zero(grid.nx)};
-  }
-
-  /// |w| = 0.6 and 0.8 of `size` along x and y.
-  template <class Size>
-  VectorXd slip(const Size& size) const {
-    const auto count = static_cast<Eigen::Index>(places.size());
-    VectorXd values(2 * count);
-    for (Eigen::Index e = 0; e < count; ++e) {
-      const double w = size(grid.x(static_cast<int>(places[static_cast<std::size_t>(e)])));
-      values[e] = 0.6 * w;
-      values[count + e] = -0.8 * w;
-    }
-    return values;
-  }
-
-  /// mu of every element.
-  VectorXd coefficient(FrictionState& state, const VectorXd& slip) const {
-    VectorXd bound(static_cast<Eigen::Index>(places.size()));
-    state.set_bound(slip, slip, bound);
-    for (Eigen::Index e = 0; e < bound.size(); ++e)
-      bound[e] /= pressure[places[static_cast<std::size_t>(e)]];
-    return bound;
-  }
-
-  /// Surfaces at rest: slips are given directly.
-  TangentialMotion motion(double slip_factor, const std::optional<FrictionPast>& past = {}) const {
-    return {still.rigid_slip, Motion::rolling, slip_factor, 1.0, past};
-  }
-
-  ContactGrid grid;
-  Field pressure;
-  std::vector<Eigen::Index> places;
-  TangentialMotion still;
-};
+/// mu of every element.
+VectorXd coefficient(const FrictionRow& row, FrictionState& state, const VectorXd& slip) {
+  VectorXd found = row.bound(state, slip);
+  for (Eigen::Index e = 0; e < found.size(); ++e) found[e] /= row.pressure[row.place(e)];
+  return found;
+}
 
 /// Runge and Kutta's method from the leading edge to x, 2000 steps.
 template <class Size>
@@ -91,15 +47,15 @@ double smooth_slip(double x) {
 }
 
 double worst_error(int elements) {
-  const Row row(elements);
+  const FrictionRow row(elements);
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   FrictionState state;
   const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   state.begin(problem, row.places);
-  const VectorXd mu = row.coefficient(state, row.slip(smooth_slip));
+  const VectorXd mu = coefficient(row, state, row.slip(smooth_slip));
   double worst = 0.0;
   for (Eigen::Index e = 0; e < mu.size(); ++e) {
-    const double x = row.grid.x(static_cast<int>(row.places[static_cast<std::size_t>(e)]));
+    const double x = row.x(e);
     worst = std::max(worst, std::abs(mu[e] - integrated(law, smooth_slip, x)));
   }
   return worst;
@@ -113,16 +69,16 @@ TEST(FrictionState, MemoryIsOfSecondOrderAlongTheRow) {
 }
 
 TEST(FrictionState, ConstantSlipDecaysExponentially) {
-  const Row row(20);
+  const FrictionRow row(20);
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   FrictionState state;
   const TangentialMotion motion = row.motion(2.0);  // the law's slip is twice
   const FrictionProblem problem{row.grid, row.pressure, motion, law};
   state.begin(problem, row.places);
   for (const double w : {2e-4, 3e-3, 0.5}) {
-    const VectorXd mu = row.coefficient(state, row.slip([&](double) { return 0.5 * w; }));
+    const VectorXd mu = coefficient(row, state, row.slip([&](double) { return 0.5 * w; }));
     for (Eigen::Index e = 0; e < mu.size(); ++e) {
-      const double x = row.grid.x(static_cast<int>(row.places[static_cast<std::size_t>(e)]));
+      const double x = row.x(e);
       const double left = std::exp(-(1.0 - x) * std::max(w, s_0) / d_c);
       const double there = law.at(w).value;
       EXPECT_NEAR(mu[e], there + left * (law.coefficient() - there), 1e-10);
@@ -131,33 +87,33 @@ TEST(FrictionState, ConstantSlipDecaysExponentially) {
 }
 
 TEST(FrictionState, AVanishingMemoryHasNoEffect) {
-  const Row row(20);
+  const FrictionRow row(20);
   const FallingFriction law = law_with(FrictionMemory{1e-12, s_0});
   FrictionState state;
   const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   state.begin(problem, row.places);
-  const VectorXd mu = row.coefficient(state, row.slip(smooth_slip));
+  const VectorXd mu = coefficient(row, state, row.slip(smooth_slip));
   for (Eigen::Index e = 0; e < mu.size(); ++e) {
-    const double x = row.grid.x(static_cast<int>(row.places[static_cast<std::size_t>(e)]));
+    const double x = row.x(e);
     EXPECT_NEAR(mu[e], law.at(smooth_slip(x)).value, 1e-9);
   }
 }
 
 TEST(FrictionState, AGapInTheRowBringsFrictionBackToThatAtRest) {
-  Row row(20);
+  FrictionRow row(20);
   row.pressure[9] = 0.0;  // element 7 of the row
   row.places.erase(row.places.begin() + 7);
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   FrictionState state;
   const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   state.begin(problem, row.places);
-  const VectorXd mu = row.coefficient(state, row.slip([](double) { return 0.02; }));
+  const VectorXd mu = coefficient(row, state, row.slip([](double) { return 0.02; }));
   EXPECT_LT(mu[7], 0.2);   // behind the first half of the row
   EXPECT_GT(mu[6], 0.25);  // the first behind the gap
 }
 
 /// Change of g by differences and as Newton's method has it.
-void expect_derivative(const FrictionProblem& problem, const Row& row) {
+void expect_derivative(const FrictionProblem& problem, const FrictionRow& row) {
   FrictionState state;
   state.begin(problem, row.places);
   const VectorXd slip = row.slip(smooth_slip);
@@ -174,7 +130,7 @@ void expect_derivative(const FrictionProblem& problem, const Row& row) {
 }
 
 TEST(FrictionState, DerivativesAreThoseOfTheBounds) {
-  const Row row(20);
+  const FrictionRow row(20);
   const FallingFriction at_once = law_with({}), slow = law_with(FrictionMemory{d_c, s_0});
   expect_derivative({row.grid, row.pressure, row.motion(0.5), at_once}, row);
   expect_derivative({row.grid, row.pressure, row.motion(0.5), slow}, row);
@@ -183,7 +139,7 @@ TEST(FrictionState, DerivativesAreThoseOfTheBounds) {
 }
 
 TEST(FrictionState, AStepOfAHistoryRemembersItsParticle) {
-  const Row row(20);
+  const FrictionRow row(20);
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   const FrictionPast past{Field::LinSpaced(row.grid.nx, 0.2, 0.4), 0.3};
   FrictionState state;
@@ -191,9 +147,9 @@ TEST(FrictionState, AStepOfAHistoryRemembersItsParticle) {
   const FrictionProblem problem{row.grid, row.pressure, motion, law};
   state.begin(problem, row.places);
   const double w = 6e-3;
-  const VectorXd mu = row.coefficient(state, row.slip([&](double) { return w; }));
+  const VectorXd mu = coefficient(row, state, row.slip([&](double) { return w; }));
   for (Eigen::Index e = 0; e < mu.size(); ++e) {
-    const double before = past.coefficient[row.places[static_cast<std::size_t>(e)]];
+    const double before = past.coefficient[row.place(e)];
     const double there = law.at(w).value;
     EXPECT_NEAR(mu[e], there + std::exp(-0.3 * w / d_c) * (before - there), 1e-12);
   }

@@ -7,32 +7,14 @@
 
 #include <Eigen/LU>
 
-#include "support/test.hpp"
+#include "support/springs.hpp"
 
 namespace rollfem::contact {
 namespace {
 
-/// T = c I: every element on its own, the solution is p = -Proj(s / c).
-class SpringBed : public TangentialOperator {
- public:
-  SpringBed(const ContactGrid& grid, double c) : grid_(grid), c_(c) {}
-  const ContactGrid& grid() const override { return grid_; }
-  TangentialField apply(const TangentialField& p) const override { return {c_ * p.x, c_ * p.y}; }
-  double diagonal() const override { return c_; }
-  TangentialField precondition(const TangentialField& residual, double r,
-                               double shift) const override {
-    const double inverse = 1.0 / (r * c_ + shift);
-    return {inverse * residual.x, inverse * residual.y};
-  }
-
- private:
-  ContactGrid grid_;
-  double c_;
-};
-
 TEST(SolveTangential, OfSpringsIsTheProjection) {
   const ContactGrid grid = ContactGrid::centred(5, 1, 1.0, 1.0);
-  const SpringBed springs(grid, 0.01);
+  const Springs springs(grid, 0.01);
   TangentialProblem problem;
   problem.friction = coulomb(1.0);
   problem.pressure = Field::Zero(5);
@@ -52,7 +34,7 @@ TEST(SolveTangential, OfSpringsIsTheProjection) {
 
 TEST(SolveTangential, WithoutSlipOrBoundReturnsZeroAtOnce) {
   const ContactGrid grid = ContactGrid::centred(3, 2, 1.0, 1.0);
-  const SpringBed springs(grid, 0.01);
+  const Springs springs(grid, 0.01);
   TangentialProblem problem{
       Field::Constant(6, 2.0), {{Field::Zero(6), Field::Zero(6)}}, coulomb(1.0)};
   const TangentialSolution still = solve_tangential(springs, problem);
@@ -68,7 +50,7 @@ TEST(SolveTangential, WithoutSlipOrBoundReturnsZeroAtOnce) {
 }
 
 TEST(SolveTangential, RefusesFieldsOfAnotherGridAndNan) {
-  const SpringBed springs(ContactGrid::centred(3, 1, 1.0, 1.0), 0.01);
+  const Springs springs(ContactGrid::centred(3, 1, 1.0, 1.0), 0.01);
   EXPECT_THROW(solve_tangential(springs, {Field::Ones(2), {{Field::Ones(3), Field::Ones(3)}}, {}}),
                SolveError);
   EXPECT_THROW(

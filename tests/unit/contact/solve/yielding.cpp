@@ -2,10 +2,7 @@
 // A layer that yields: the plastic displacement along a row against closed forms, where yielding
 // begins, friction that takes over, steps of a history, and the derivative.
 
-#include "contact/iteration/friction_state.hpp"
-
-#include "support/test.hpp"
-#include <numeric>
+#include "support/friction_row.hpp"
 
 namespace rollfem::contact {
 namespace {
@@ -20,57 +17,7 @@ CoulombFriction yielding_at(double stress, double hardening) {
   return law;
 }
 
-/// A row in contact at x in (0, 1): its pressure rises as p_0 sqrt(1 - x) from the leading edge.
-struct YieldRow {
-  static constexpr double highest = 1000.0;
-
-  explicit YieldRow(int elements) {
-    grid.nx = elements + 4;
-    grid.ny = 1;
-    grid.dx = 1.0 / elements;
-    grid.dy = 1.0;
-    grid.x_first = -1.5 * grid.dx;
-    pressure = Field::Zero(grid.nx);
-    places.resize(static_cast<std::size_t>(elements));
-    std::iota(places.begin(), places.end(), 2);
-    for (const Eigen::Index k : places) pressure[k] = highest * std::sqrt(1.0 - x_at(k));
-    still.rigid_slip = {Field::Zero(grid.nx), Field::Zero(grid.nx)};
-  }
-
-  double x_at(Eigen::Index k) const { return grid.x(static_cast<int>(k)); }
-  Eigen::Index count() const { return static_cast<Eigen::Index>(places.size()); }
-  double x(Eigen::Index e) const { return x_at(places[static_cast<std::size_t>(e)]); }
-
-  /// |w| = 0.6 and 0.8 of `size` along x and y.
-  template <class Size>
-  VectorXd slip(const Size& size) const {
-    VectorXd values(2 * count());
-    for (Eigen::Index e = 0; e < count(); ++e) {
-      values[e] = 0.6 * size(x(e));
-      values[count() + e] = -0.8 * size(x(e));
-    }
-    return values;
-  }
-
-  /// Surfaces at rest: slips are given directly.
-  TangentialMotion motion(double slip_factor, const std::optional<FrictionPast>& past = {}) const {
-    return {still.rigid_slip, Motion::rolling, slip_factor, 1.0, past};
-  }
-
-  /// Bounds under these slips.
-  template <class Size>
-  VectorXd bound(FrictionState& state, const Size& size) const {
-    const VectorXd values = slip(size);
-    VectorXd found(count());
-    state.set_bound(values, values, found);
-    return found;
-  }
-
-  ContactGrid grid;
-  Field pressure;
-  std::vector<Eigen::Index> places;
-  TangentialMotion still;
-};
+constexpr double highest = 1000.0;
 
 double growing_slip(double x) {
   return 0.02 * (1.0 - x) + 0.01 * (1.0 - x) * (1.0 - x);
@@ -78,19 +25,18 @@ double growing_slip(double x) {
 
 /// Bounds where mu p_0 sqrt(1 - x) = 200 MPa begins to exceed the yield stress, at 1 - x = 0.16.
 double worst_of_bounds(int elements, double hardening) {
-  const YieldRow row(elements);
+  const FrictionRow row(elements, highest);
   const CoulombFriction law = yielding_at(200.0, hardening);
   const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   FrictionState state;
   state.begin(problem, row.places);
-  const VectorXd bound = row.bound(state, growing_slip);
+  const VectorXd bound = row.bound(state, row.slip(growing_slip));
   const auto slipped = [](double d) { return 0.01 * d * d + 0.01 / 3.0 * d * d * d; };
   double worst = 0.0;
   for (Eigen::Index e = 0; e < row.count(); ++e) {
     const double d = 1.0 - row.x(e);
     const double plastic = d > 0.16 ? slipped(d) - slipped(0.16) : 0.0;
-    const double expected =
-        std::min(mu * YieldRow::highest * std::sqrt(d), 200.0 + hardening * plastic);
+    const double expected = std::min(mu * highest * std::sqrt(d), 200.0 + hardening * plastic);
     worst = std::max(worst, std::abs(bound[e] - expected));
     EXPECT_EQ(state.yields(e), d > 0.16) << d;
   }
@@ -108,13 +54,13 @@ TEST(Yielding, PlasticDisplacementIsOfSecondOrderAlongTheRow) {
 }
 
 TEST(Yielding, ConstantSlipGathersFromWhereFrictionReachesTheYieldStress) {
-  const YieldRow row(25);
+  const FrictionRow row(25, highest);
   const CoulombFriction law = yielding_at(100.0, 2000.0);  // reached at 1 - x = 0.04
   const TangentialMotion motion = row.motion(2.0);         // law's slip is twice
   const FrictionProblem problem{row.grid, row.pressure, motion, law};
   FrictionState state;
   state.begin(problem, row.places);
-  const VectorXd bound = row.bound(state, [](double) { return 0.01; });
+  const VectorXd bound = row.bound(state, row.slip([](double) { return 0.01; }));
   for (Eigen::Index e = 0; e < row.count() - 1; ++e) {
     EXPECT_TRUE(state.yields(e));
     EXPECT_NEAR(bound[e], 100.0 + 2000.0 * 0.02 * (1.0 - row.x(e) - 0.04), 1e-9);
@@ -123,13 +69,13 @@ TEST(Yielding, ConstantSlipGathersFromWhereFrictionReachesTheYieldStress) {
 }
 
 TEST(Yielding, FrictionTakesOverFromALayerThatHardens) {
-  YieldRow row(25);
+  FrictionRow row(25, highest);
   row.pressure = (row.pressure.array() > 0.0).select(400.0, row.pressure).eval();
   const CoulombFriction law = yielding_at(100.0, 2000.0);
   const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   FrictionState state;
   state.begin(problem, row.places);
-  const VectorXd bound = row.bound(state, [](double) { return 0.1; });
+  const VectorXd bound = row.bound(state, row.slip([](double) { return 0.1; }));
   for (Eigen::Index e = 0; e < row.count(); ++e) {
     const double stress = 100.0 + 2000.0 * 0.1 * (1.0 - row.x(e));
     // Constant pressure has no known edge: yielding begins within the first element.
@@ -142,7 +88,7 @@ TEST(Yielding, FrictionTakesOverFromALayerThatHardens) {
 }
 
 TEST(Yielding, AStepOfAHistoryAddsToWhatTheParticleHas) {
-  const YieldRow row(25);
+  const FrictionRow row(25, highest);
   const CoulombFriction law = yielding_at(50.0, -300.0);
   const FrictionPast past{Field(), 0.2, Field::LinSpaced(row.grid.nx, 0.0, 0.1)};
   const TangentialMotion motion = row.motion(1.0, past);
@@ -151,10 +97,10 @@ TEST(Yielding, AStepOfAHistoryAddsToWhatTheParticleHas) {
   state.begin(problem, row.places);
   VectorXd rest(row.count());
   state.set_rest(rest);
-  const VectorXd bound = row.bound(state, [](double) { return 0.3; });
+  const VectorXd bound = row.bound(state, row.slip([](double) { return 0.3; }));
   for (Eigen::Index e = 0; e < row.count(); ++e) {
-    const double before = past.plastic[row.places[static_cast<std::size_t>(e)]];
-    const double friction = mu * row.pressure[row.places[static_cast<std::size_t>(e)]];
+    const double before = past.plastic[row.place(e)];
+    const double friction = mu * row.pressure[row.place(e)];
     EXPECT_NEAR(rest[e], std::min(friction, 50.0 - 300.0 * before), 1e-12);
     if (friction < 50.0) continue;
     EXPECT_NEAR(bound[e], 50.0 - 300.0 * (before + 0.2 * 0.3), 1e-12);
@@ -163,7 +109,7 @@ TEST(Yielding, AStepOfAHistoryAddsToWhatTheParticleHas) {
 }
 
 TEST(Yielding, PerfectPlasticityBoundsWithoutSlip) {
-  const YieldRow row(25);
+  const FrictionRow row(25, highest);
   const CoulombFriction law = yielding_at(100.0, 0.0);
   const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   FrictionState state;
@@ -172,7 +118,7 @@ TEST(Yielding, PerfectPlasticityBoundsWithoutSlip) {
   VectorXd bound(row.count());
   state.set_rest(bound);
   for (Eigen::Index e = 0; e < row.count(); ++e) {
-    const double friction = mu * row.pressure[row.places[static_cast<std::size_t>(e)]];
+    const double friction = mu * row.pressure[row.place(e)];
     EXPECT_EQ(bound[e], std::min(friction, 100.0));
     EXPECT_EQ(state.yields(e), friction > 100.0);
   }
@@ -180,7 +126,7 @@ TEST(Yielding, PerfectPlasticityBoundsWithoutSlip) {
 
 TEST(Yielding, OwnSlipFromTheTrialTractionIsThatOfASolution) {
   // In a solution |q| = g + r |w|.
-  const YieldRow row(25);
+  const FrictionRow row(25, highest);
   constexpr double r = 4e3;
   for (const double hardening : {100.0, 1e4, 1e7}) {
     const CoulombFriction law = yielding_at(150.0, hardening);
@@ -207,7 +153,7 @@ TEST(Yielding, OwnSlipFromTheTrialTractionIsThatOfASolution) {
 }
 
 /// Change of g by differences and as Newton's method has it.
-void expect_derivative_of_yielding(const FrictionProblem& problem, const YieldRow& row,
+void expect_derivative_of_yielding(const FrictionProblem& problem, const FrictionRow& row,
                                    double r = 0.0) {
   FrictionState state;
   state.begin(problem, row.places, r);
@@ -229,7 +175,7 @@ void expect_derivative_of_yielding(const FrictionProblem& problem, const YieldRo
 }
 
 TEST(Yielding, DerivativesAreThoseOfTheBounds) {
-  const YieldRow row(20);
+  const FrictionRow row(20, highest);
   const FrictionPast past{Field::LinSpaced(row.grid.nx, 0.4, 0.5), 0.3,
                           Field::LinSpaced(row.grid.nx, 0.0, 0.01)};
   for (const double hardening : {3000.0, 50e3, -3000.0}) {
@@ -249,13 +195,13 @@ TEST(Yielding, DerivativesAreThoseOfTheBounds) {
 
 TEST(Yielding, WhatYieldsDoesNotSlip) {
   // The friction of particles that yield stays that at rest, however fast they move.
-  const YieldRow row(25);
+  const FrictionRow row(25, highest);
   FallingFriction law{FallShape::exponential, 0.3, {{{0.2, 0.02}, {}}}, FrictionMemory{2e-3, 1e-9}};
   law.plasticity = Plasticity{1e-3, 1.0};
   const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   FrictionState state;
   state.begin(problem, row.places);
-  const VectorXd bound = row.bound(state, [](double) { return 1.0; });
+  const VectorXd bound = row.bound(state, row.slip([](double) { return 1.0; }));
   for (Eigen::Index e = 0; e < row.count(); ++e) {
     EXPECT_TRUE(state.yields(e));
     EXPECT_NEAR(state.coefficient(e), 0.5, 1e-6);
