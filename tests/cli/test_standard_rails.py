@@ -152,7 +152,7 @@ def test_mirrored_has_every_height_and_the_opposite_slope_on_the_other_side(name
     profile, image = rollfem.Profile(name), rollfem.Profile(name, "wheel" if name == "S1002" else "rail", mirror=True)
     assert [image.y[0], image.y[-1]] == pytest.approx([-profile.y[-1], -profile.y[0]], abs=1e-12)
     at = np.linspace(0.0, profile.length, 60)
-    assert np.allclose(along(image, profile.length - at), along(profile, at) * [-1, 1], rtol=0, atol=1e-9)
+    assert np.allclose(along(image, image.s[-1] - at), along(profile, at) * [-1, 1], rtol=0, atol=1e-9)
 
 
 # MBench_S1002_v3.prw, y mirrored as its header says. It prints eight digits; where the flank rises with 70 degrees, half a last
@@ -189,7 +189,7 @@ def test_the_rail_of_the_benchmark_meets_its_list():
     # In the list the rail is inclined 1:40, its crown at (-7.49170, 0.09371).
     rail = rollfem.Profile("UIC60-manchester", "rail", rotation=-math.atan(1 / 40), shift=[-7.49170, 0.09371])
     points = points[points[:, 1] < 37.4]
-    dense = along(rail, at := np.arange(0.0, rail.length, 0.01))
+    dense = along(rail, at := np.arange(rail.s[0], rail.s[-1], 0.01))
     nearest = np.array([np.argmin(np.hypot(*(dense - point).T)) for point in points])
     tangent = np.gradient(dense, at, axis=0)[nearest]
     away = points - dense[nearest]
@@ -264,10 +264,17 @@ def test_a_radius_is_an_arc(tmp_path):
 
 
 @pytest.mark.parametrize("body, inwards", [("wheel", -1.0), ("rail", 1.0)])
-def test_side_faces_of_free_ends_go_inwards_from_where_the_points_end(body, inwards):
+def test_side_faces_of_free_ends_go_inwards_from_where_the_points_end(tmp_path, body, inwards):
     """A face as high as 0.3 times the width of 20 mm, up of a wheel and down of a rail."""
-    one = {"radii": [400.0], "ends": [-8.0, 12.0], "shift": [1.0, 2.0]}
-    opened, whole = (rollfem.Profile("arcs", body, free_ends=free, **one) for free in (False, True))
+    def profile(**more):
+        (tmp_path / "case.toml").write_text(toml({
+            "load.vertical_force": 80e3, "friction.coefficient": 0.3, "wheel.rolling_radius": 460.0, "wheel.profile": "arcs",
+            "rail.profile": "arcs", "placement.lateral_position": 0.0} | {
+                f"{each}_profile.{key}": value for each in ("wheel", "rail") for key, value in (
+                    {"radii": [400.0], "ends": [-8.0, 12.0], "shift": [1.0, 2.0]} | more).items()}))
+        return rollfem.Profile.of(tmp_path / "case.toml", body)
+
+    opened, whole = profile(), profile(free_ends=True)
     for end, outwards in (0, -1.0), (-1, 1.0):
         assert inwards * (whole.z[end] - opened.z[end]) == pytest.approx(6.0, abs=0.02)
         assert outwards * (whole.y[end] - opened.y[end]) == pytest.approx(2.0, abs=0.02)

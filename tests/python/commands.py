@@ -45,17 +45,6 @@ class Stresses(unittest.TestCase):
         np.testing.assert_allclose(found["orthogonal_shear"][1], [0, 40, 40], rtol=1e-14)
         np.testing.assert_allclose(found["principal"][1, 1], [40, 0, -40], atol=1e-12)
 
-    def test_below_a_circle_von_mises_is_that_of_hertz(self):
-        # Johnson (1985), section 4.2: 0.620 p0 at 0.48 a for nu = 0.3, to the digits printed there.
-        case = rollfem.Case(SMALL).with_({"contact_grid.elements_across": 24})
-        circle = rollfem.solve(case, model="hertz").points[0]
-        line = {"body": "wheel", "from": [0, 0, 0], "to": [0, 0, circle.semi_axis_x], "points": 101}
-        point = rollfem.solve(case, model="halfspace", subsurface={"line": [line]}).points[0]
-        below = point.subsurface[0]
-        stress = rollfem.stress_measures(below["stress"])["von_mises"]
-        self.assertAlmostEqual(stress.max() / circle.max_pressure, 0.620, delta=0.003)
-        self.assertAlmostEqual(below["points"][stress.argmax(), 2] / circle.semi_axis_x, 0.48, delta=0.02)
-
     def test_wrong_shapes_are_refused(self):
         with self.assertRaisesRegex(ValueError, "six components"):
             rollfem.stress_measures(np.zeros((6, 3)))
@@ -283,14 +272,8 @@ class Files(unittest.TestCase):
         self.assertEqual(read.results["circle"]["fastsim"].longitudinal_force[0], result["fastsim"].longitudinal_force[0])
         self.assertRaises(rollfem.InputError, rollfem.compare, SMALL, models=["hertz"], reference="fem")
 
-    def test_stress_below_a_circle_is_that_of_hertz(self):
-        # Johnson (1985), section 3.4: on the axis sigma_z = -p0 / (1 + z^2/a^2).
-        result = rollfem.solve(SMALL, model="halfspace", contact_grid={"elements_across": 40})
-        radius, pressure = result[0].semi_axis_x[0], result[0].max_pressure[0]
-        line = {"body": "wheel", "from": [0, 0, 0.2 * radius], "to": [0, 0, 2 * radius], "points": 19}
-        below = rollfem.stress(result, places={"line": [line]}).models[0].sets[0]
-        expected = -pressure / (1 + (below["z"] / radius) ** 2)
-        np.testing.assert_allclose(below["zz"], expected, atol=0.01 * pressure)
+    def test_stresses_of_a_result_are_stored_and_read(self):
+        result = rollfem.solve(SMALL, model="halfspace")
         result.write(self.path("stored"))
         stored = rollfem.stress(self.path("stored"), yield_strength=500.0)
         self.assertIn("</svg>", stored.figure("shakedown_map").svg())

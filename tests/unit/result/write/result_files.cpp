@@ -7,7 +7,6 @@
 
 #include "support/small_run.hpp"
 #include "support/temporary_folder.hpp"
-#include <thread>
 
 namespace fs = std::filesystem;
 
@@ -45,26 +44,6 @@ TEST(ResultFiles, OfNumbersThatAreNotFiniteSizesThatDoNotFitAndBadNamesAreRefuse
     EXPECT_TRUE(says(said, named));
     EXPECT_EQ(fs::exists(folder.path("result")), named.empty());
   }
-}
-
-TEST(ResultFiles, ThreadsWriteAndReadOneResultAndTheirOwn) {
-  const TemporaryFolder base;
-  const RunRecord run = small_run();
-  const std::string alone = results_hdf5(run), target = base.path("result");
-  std::vector<std::string> faults(8);
-  std::vector<std::thread> threads;
-  for (std::size_t t = 0; t < faults.size(); ++t)
-    threads.emplace_back([&, t] {
-      for (const std::string& folder : {target, target + std::to_string(t), target}) try {
-          write_results(folder, run);
-          if (contents(fs::path(folder) / "results.h5") != alone) faults[t] = "another result";
-        } catch (const std::exception& error) {
-          faults[t] = error.what();
-        }
-    });
-  for (std::thread& thread : threads) thread.join();
-  for (const std::string& fault : faults) EXPECT_EQ(fault, "");
-  EXPECT_EQ(std::distance(fs::directory_iterator(base.path()), fs::directory_iterator()), 9);
 }
 
 TEST(ResultFiles, AreOnlyThoseThatAnotherResultReplaces) {
