@@ -172,3 +172,10 @@ def package():
     """The Python package of this build, for what it reads better than a test would."""
     sys.path.insert(0, str(BUILD / "python"))
     return pytest.importorskip("rollfem")
+
+
+def solved(keys, model):
+    """The model's result of a case with these keys, solved in this process."""
+    core = package()._core
+    from rollfem.result import models_of
+    return models_of(core.solve(core.parse_case(toml(keys), "case.toml"), [model], None, False)[0])[0]

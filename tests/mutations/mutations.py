@@ -203,7 +203,7 @@ MUTATIONS = [
     Mutation("fastrip_spin", "theories/brush.cpp",
              "root = e * e + x * x * (1.0 - spin * spin)", "root = e * e + x * x",
              "spin shifts no border of adhesion in FaStrip",
-             ("unit_fastrip", "verification_theories")),
+             ("cli_theories", "verification_theories")),
     Mutation("fastsim_flexibility", "theories/brush.cpp",
              "8.0 * a / (3.0 * shear_modulus * k.c22)", "8.0 * a / (3.0 * shear_modulus * k.c11)",
              "FASTSIM is as stiff across as along",

@@ -57,6 +57,21 @@ TEST(CaseDeclarations, AllowedValuesFillTheMember) {
     }
 }
 
+/// [placement] and [wheelset] say the same of a wheel in two ways.
+TEST(CaseDeclarations, EachKeyHasAMemberOfItsOwn) {
+  const Case initial = default_case();
+  for (const Section& section : case_sections())
+    for (const Key& key : section) {
+      Case input = initial;
+      key.set(input, other_value(key));
+      for (const Section& other : case_sections())
+        for (const Key& another : other)
+          if (&another != &key && section.on_rail == other.on_rail) {
+            EXPECT_EQ(another.get(input), another.get(initial)) << key.path() << another.path();
+          }
+    }
+}
+
 TEST(CaseDeclarations, ValuesOutOfBoundsAreRefusedWithTheAllowedRange) {
   int bounded = 0;
   for (const Section& section : case_sections())
