@@ -10,7 +10,7 @@ import signal
 import subprocess
 import time
 
-from rollfem.figures import compare, study
+from rollfem.outputs import Comparison, Study
 from rollfem.reader import read_result
 
 from . import style
@@ -19,7 +19,7 @@ from . import style
 def read_run(folder):
     """The result of a run, with its labels of models for tables and figures."""
     result = read_result(folder)
-    style.know({model.name: model.label for model in result.models})
+    style.know(result.labels)
     return result
 
 
@@ -186,15 +186,18 @@ class Bench:
     def study(self, name, case, options=(), settings=None):
         """`rollfem study` of a case; returns study.json as a dict."""
         folder = self._program("study", name, [case], settings, [*options, "--no-report"])
-        return study.read(folder)
+        found = Study.read(folder)
+        style.know(found.labels)
+        return found.with_numbers
 
     def compare(self, name, cases, models):
         """`rollfem compare` of cases; returns (compare.json, {case name: Result})."""
         folder = self._program("compare", name, cases, None,
                                ["--model", ",".join(models), "--no-report"])
-        comparison = compare.read(folder)
-        return comparison, {c["name"]: read_run(os.path.join(folder, c["name"]))
-                            for c in comparison["cases"]}
+        comparison = Comparison.read(folder)
+        style.know(comparison.labels)
+        return comparison.data, {c["name"]: read_run(os.path.join(folder, c["name"]))
+                                 for c in comparison.data["cases"]}
 
     def test(self, name):
         """Runs one test, e.g. "verification_fem:PerssonPin.Touches...", and returns its records.

@@ -8,7 +8,7 @@ profile, of a wheel on its rail or of a wheelset NAME.svg.
 The program runs its commands study, compare, bench and stress as python3 -m rollfem COMMAND OPTIONS."""
 import sys
 
-from .figures.catalogue import build
+from .figures.page import build
 
 
 def main() -> None:

@@ -5,14 +5,12 @@ from ._core import Progress, models
 from ._core import version as _version
 from .case import Case
 from .errors import FileError, InputError, SolveError
-from .model import ModelResult, Note
 from .outputs import Comparison, Stress, Study
 from .point import FIELDS, QUANTITIES, Point, attributes, text_of
-from .reading import read
-from .result import Result
-from .solving import AccuracyWarning, UnitWarning, solve, table, threads
+from .reader import read
+from .result import ModelResult, Note, Result
+from .solving import AccuracyWarning, UnitWarning, compare, solve, stress, study, table, threads
 from .stresses import stress_measures
-from .studies import compare, stress, study
 from .sweeping import Sweep, sweep
 from .tables import Table, TableForces
 from .track import Profile, Wheelset, contact_points, wheelset

@@ -130,9 +130,14 @@ class OverAxes(Gridded):
 class Written(Tabular):
     """What rollfem writes to a folder, with the figures of its report."""
 
-    kind = ""  # of figures.catalogue
+    kind = ""  # of reader.KINDS
     first_figure = ""
     drawn_from = ""  # the file that reports are drawn from; otherwise the folder
+
+    @property
+    def labels(self) -> Mapping[str, str]:
+        """Of the models in figures, by name."""
+        return {}
 
     def _contents(self) -> Mapping[str, str | bytes]:
         """The files by their names."""
@@ -162,9 +167,9 @@ class Written(Tabular):
         >>> result.figure("path_x")
         >>> rollfem.study("cases/thesis_a.toml").figure("error_unknowns")
         """
-        from .figures.catalogue import drawing
-        asked, module = self.first_figure if name is None else name, drawing(self.kind)
-        found = {file.removesuffix(".svg"): draw for file, _, draw in module.captioned(module.of(self))}
+        from .figures.page import drawing
+        asked = self.first_figure if name is None else name
+        found = {file.removesuffix(".svg"): draw for file, _, draw in drawing(self).captioned(self)}
         if asked not in found:
             raise KeyError(f"{asked}: allowed: {', '.join(found)}")
         if (figure := found[asked]()) is None:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What studies, comparisons and stresses of results are: the files that their commands write."""
+import copy
 import csv
 import io
 import json
@@ -15,6 +16,7 @@ import numpy as np
 from .errors import FileError
 from .files import cell, folder_of, json_is_sound, regular, rows_of, sealed_json
 from .frames import Written, documented
+from .point import Quantity
 from .result import Result
 from .stresses import stress_measures
 
@@ -69,6 +71,11 @@ class Files(Written):
         """The title of the case."""
         return str(self.data.get("title", ""))
 
+    @property
+    def labels(self) -> dict[str, str]:
+        """Of the models in figures, by name."""
+        return dict(self.data.get("labels", {}))
+
     def columns(self) -> dict[str, np.ndarray]:
         """The CSV file.
 
@@ -102,6 +109,30 @@ class Study(Files):
     `columns()` every number."""
 
     kind, word, format = "study", "study", 4
+
+    @cached_property
+    def with_numbers(self) -> dict[str, Any]:
+        """`data` with the numbers of its levels by quantity, from the table."""
+        study: dict[str, Any] = copy.deepcopy(self.data)
+        quantities = {name: Quantity(**quantity) for name, quantity in study["quantities"].items()}
+        columns = {"values": "value", "bars": "error_estimate", "errors": "error", "orders": "order"}
+        levels = {}
+        for place in study["places"]:
+            place["quantities"] = quantities
+            for series in place["series"]:
+                series.setdefault("references", place["references"])  # studies of 0.1.0 had one reference for all
+                for level in series["levels"]:
+                    levels[place["key"], series["model"], series["vary"], level["label"], level["parameter"]] = level
+                    level.update((name, {}) for name in columns)
+        try:
+            for row in rows_of(self.contents["study.csv"])[1]:
+                level = levels[row["place"], row["model"], row["vary"], row["level"], float(row["parameter"])]
+                for name, column in columns.items():
+                    if row[column]:
+                        level[name][row["quantity"]] = float(row[column])
+        except (KeyError, ValueError) as error:
+            raise FileError(f"study.csv is not the table of this study: {error!r}; run the command again") from error
+        return study
 
 
 @documented
@@ -214,6 +245,11 @@ class Stress(Files):
             StressSet(s["name"], s["kind"], s["body"], (s["points_across"], s["points_along"]),
                       columns[entry["key"], entry["point"], s["name"], s["body"]], s["largest"], s["moved"]) for s in entry["sets"]],
             entry, entry.get("label", "")) for entry in data["models"]], folder=folder)
+
+    @property
+    def labels(self) -> dict[str, str]:
+        """Of the models in figures, by name."""
+        return {model.name: model.label for model in self.models}
 
     @cached_property
     def contents(self) -> dict[str, str]:  # type: ignore[override]

@@ -100,7 +100,7 @@ def surface(sweep: Any, quantity: str = "traction_coefficient", ax: Any = None, 
     names = list(sweep.axes)
     if values.ndim > 2:
         raise ValueError(f"a sweep over {values.ndim} keys does not fit one figure; do: plot slices of sweep.values({quantity!r})")
-    from .names import with_unit
+    from .case import with_unit
     ax = _axes(ax, with_unit(names[0]), _describe(quantity))
     first = np.asarray(sweep.axes[names[0]])
     if values.ndim == 1:

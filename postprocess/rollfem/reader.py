@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads results.h5, and tables of numbers; without the compiled module:
+"""Reads what rollfem has written into the types that computing returns, and tables of numbers; without the compiled module:
 
     from rollfem.reader import read_result
     result = read_result("results/thesis_a")
@@ -8,6 +8,7 @@
 """
 import errno
 import os
+from typing import Any
 
 import numpy as np
 
@@ -23,11 +24,20 @@ _AGAIN = "do: run the case again"
 KINDS = {"results.h5": "result", "table.h5": "table", "study.json": "study", "compare.json": "compare", "stress.json": "stress"}
 
 
-def kind_of(path: str) -> str:
-    """What rollfem has written at a path: a folder, or a file of it."""
+def stored(path: str) -> Any:
+    """What rollfem has written to a folder, also named by a file of it: a Result, Table, Study, Comparison or Stress."""
     if os.path.isdir(path):
-        return next((kind for file, kind in KINDS.items() if os.path.exists(os.path.join(path, file))), "result")
-    return KINDS.get(os.path.basename(path), "result")
+        kind = next((kind for file, kind in KINDS.items() if os.path.exists(os.path.join(path, file))), "result")
+    else:
+        kind = KINDS.get(os.path.basename(path), "result")
+    if kind == "result":
+        return read_result(path)
+    if kind == "table":
+        from .tables import Table
+        return Table(path)
+    from .outputs import Comparison, Files, Stress, Study
+    kinds: dict[str, type[Files]] = {each.kind: each for each in (Study, Comparison, Stress)}
+    return kinds[kind].read(path)
 
 
 def _read_file(path: str, folder: str) -> Result:
@@ -78,3 +88,32 @@ def read_result(path: str) -> Result:
         raise FileError(f"{file} is truncated or damaged: {error}; {_AGAIN}") from error
     except (KeyError, TypeError, ValueError) as error:
         raise FileError(f"{file} cannot be read as a result of rollfem: {error}; {_AGAIN}") from error
+
+
+def read(path: str | os.PathLike[str]) -> Any:
+    """Whatever rollfem has written to a folder.
+
+    Args:
+        path: The folder of `rollfem run`, `table`, `study`, `compare` or `stress`, or of `write` of what is returned
+            here; or its results.h5, table.h5, study.json, compare.json, stress.json.
+    Returns:
+        A Result, Table, Study, Comparison or Stress.
+    Raises:
+        FileError: There is nothing of this kind, or it is damaged.
+        ImportError: Without h5py.
+
+    >>> rollfem.read("results/thesis_a")["halfspace"].max_pressure
+    """
+    name = os.fspath(path)
+    try:
+        made = stored(name)
+    except OSError as error:
+        raise error if isinstance(error, FileError) else FileError(str(error)) from error
+    if isinstance(made, Result):
+        for point in (point for model in made.models for point in model.points):
+            point.bodies = dict(point.bodies)  # the file may go
+    if made.kind == "compare":
+        for case in made.data["cases"]:
+            if case["complete"] and isinstance(result := read(os.path.join(made.folder, case["name"])), Result):
+                made.results[case["name"]] = result
+    return made

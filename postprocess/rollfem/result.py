@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results of a case."""
-from collections.abc import Iterator, Mapping, Sequence
+"""The results of a case, and of one model on one patch."""
+import math
+from collections.abc import Iterator, Mapping, Sequence, Sized
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Any
@@ -9,14 +10,233 @@ import numpy as np
 
 from . import plot
 from .errors import InputError
-from .frames import Written, documented, html_table
-from .model import SHOWN, ModelResult, count, heads
+from .frames import Gridded, Labelled, Written, documented, html_table
 from .node import Node
-from .point import Point, Quantity
+from .point import FIELDS, QUANTITIES, Named, Point, Quantity, array_of, columns_of, known
 
 if TYPE_CHECKING:
     from ._core import Result as CoreResult
     from .case import Case
+
+
+#: What tables of notebooks show.
+SHOWN = ("longitudinal_creepage", "lateral_creepage", "spin", "normal_force", "traction_coefficient", "max_pressure")
+
+
+def count(things: Sized, word: str, ending: str = "s") -> str:
+    """"3 load points"."""
+    return f"{len(things)} {word}{'' if len(things) == 1 else ending}"
+
+
+@documented
+@dataclass(frozen=True)
+class Note:
+    """What a reader of a result must know; str(note) is its text."""
+
+    severity: Annotated[str, "`remark` or `warning`"]
+    about: Annotated[str, "the subject; notes of one model about the same differ in their numbers only"]
+    text: Annotated[str, "one sentence"]
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@documented
+class ModelResult(Gridded, Named):
+    """Results of one model on one patch: its load points on its contact grid.
+
+    Every quantity is an array over the load points: model.traction_coefficient; nan where the model does not give it.
+    """
+
+    points: Annotated[list[Point], "the load points; also model[k], and iteration"]
+    x: Annotated[np.ndarray, "centres of the contact elements along rolling, mm"]
+    y: Annotated[np.ndarray, "across, mm"]
+    dx: Annotated[float, "size of the elements, mm"]
+    dy: Annotated[float, "mm"]
+    y_wheel: Annotated[np.ndarray | None, "of the rows [ny] on the wheel's profile, mm; without profiles y"]
+    y_rail: Annotated[np.ndarray | None, "of the rows on the rail's profile, mm"]
+    width: Annotated[np.ndarray | None, "of the rows along the surface, mm"]
+    name: Annotated[str, "of the model"]
+    label: Annotated[str, "for figures"]
+    key: Annotated[str, "the name, for true profiles with wheel, position and patch"]
+    place: Annotated[dict[str, Any] | None, "for true profiles wheel, position, patch, patches (from 1), y_track (mm), "
+                     "contact_angle (rad), ..."]
+    seconds: Annotated[dict[str, float], "by stage, s"]
+    unknowns: Annotated[int, "size of the system of equations"]
+    contact_elements: Annotated[int, "elements in contact"]
+    notes: Annotated[list[Note], "what a reader must know, sources of errors among it"]
+    choice: Annotated[str, "why `auto` chose it"]
+    shortfall: Annotated[str, "what was requested and not reached"]
+
+    _found: dict[tuple[Any, ...], Point] | None = None  # points by key, created on first use
+
+    def __init__(self, key: str, node: Node, by_number: str = "") -> None:
+        """`by_number`: as of Point."""
+        about, grid = node.attributes, node.parts["grid"]
+        self.key, self.name, self.place = key, about["model"], node.parts["place"].attributes if "place" in node.parts else None
+        notes = node.parts["notes"].entries
+        self.seconds = node.parts["seconds"].attributes
+        self.notes = [Note(*row) for row in zip(*(notes[column] for column in ("severity", "about", "text")))]
+        self.unknowns, self.contact_elements = about["unknowns"], about["contact_elements"]
+        for text in ("label", "choice", "shortfall"):
+            setattr(self, text, about.get(text, ""))
+        self.dx, self.dy = grid.attributes["dx"], grid.attributes["dy"]
+        for column in ("x", "y", "y_wheel", "y_rail", "width"):
+            setattr(self, column, grid.entries.get(column))
+        points = sorted(node.parts["points"].parts.items(), key=lambda item: int(item[0]))
+        # Hertz always has a single point.
+        self.points = [Point(point, number, by_number if self.name != "hertz" else "", self.place, node.parts.get("bodies"))
+                       for number, (_, point) in enumerate(points)]
+
+    @property
+    def has_friction(self) -> bool:
+        """Whether the model covers friction."""
+        return any(p["max_traction"] > 0 or any(p.creepages) for p in self.points)
+
+    @property
+    def has_bound(self) -> bool:
+        """Whether its tractions have a bound; those of the linear theory do not."""
+        return self.name != "linear"
+
+    def values(self, name: str) -> np.ndarray:
+        """A quantity over the load points.
+
+        Args:
+            name: One of rollfem.QUANTITIES.
+        Returns:
+            In the unit of the quantity; nan where it is not given.
+        Raises:
+            KeyError: There is no such quantity.
+
+        >>> result["halfspace"].values("longitudinal_force")
+        """
+        known(name, QUANTITIES)
+        return array_of(point.scalars.get(name) for point in self.points)
+
+    def bars(self, name: str) -> np.ndarray:
+        """Error bars of a quantity over the load points.
+
+        Args:
+            name: One of rollfem.QUANTITIES.
+        Returns:
+            In the unit of the quantity; nan where there are none.
+        Raises:
+            KeyError: There is no such quantity.
+
+        >>> result["halfspace"].bars("longitudinal_force")
+        """
+        return array_of(point.bar(name) for point in self.points)
+
+    def middle(self, field: str, axis: str = "x", point: int = 0) -> tuple[np.ndarray, np.ndarray]:
+        """A field along the middle line of the patch.
+
+        Args:
+            field: One of rollfem.FIELDS.
+            axis: "x": the line y = 0, "y": the line x = 0; the mean of two lines that are equally near.
+            point: Load point, from 0.
+        Returns:
+            The places along the line, mm, and the values, in the unit of the field.
+        Raises:
+            KeyError: There is no such field or axis, or the model does not give the field.
+
+        >>> x, traction = result["halfspace"].middle("traction_x")
+        """
+        values = self.points[point].fields[known(field, FIELDS, "a field")]
+        known(axis, ("x", "y"), "an axis")
+        return (self.x if axis == "x" else self.y), self.line(values, axis)
+
+    def line(self, values: np.ndarray, axis: str, at: float = 0.0) -> np.ndarray:
+        """Values over the contact grid along any line.
+
+        Args:
+            values: [ny, nx], in any unit (N, MPa, mm, -).
+            axis: "x": the line y = at, "y": the line x = at.
+            at: mm; the row or column nearest to it counts, the mean of two that are equally near.
+        Returns:
+            Over model.x or model.y.
+
+        >>> model.line(model.points[0].pressure, "x", at=2.5)
+        """
+        across = self.y if axis == "x" else self.x
+        distance = np.abs(across - at)
+        lines = np.flatnonzero(distance < distance.min() + 1e-6 * (self.dy if axis == "x" else self.dx))
+        found: np.ndarray = values[lines, :].mean(axis=0) if axis == "x" else values[:, lines].mean(axis=1)
+        return found
+
+    def at(self, key: tuple[Any, ...]) -> Point | None:
+        """The load point with some creepages.
+
+        Args:
+            key: Point.key: (xi, eta, spin) in steady rolling.
+        Returns:
+            None where there is no such load point.
+
+        >>> result["fastsim"].at(result["halfspace"].points[0].key)
+        """
+        if self._found is None:
+            self._found = {point.key: point for point in reversed(self.points)}
+        return self._found.get(key) or next(
+            (p for p in self.points if len(p.key) == len(key) == 3
+             and all(math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-15) for a, b in zip(p.key, key))), None)
+
+    def nearest(self, longitudinal_creepage: float) -> Point:
+        """The load point whose longitudinal creepage is nearest.
+
+        Args:
+            longitudinal_creepage: xi, -.
+
+        >>> result["halfspace"].nearest(0.002).traction_x
+        """
+        return min(self.points, key=lambda p: abs(float(p["longitudinal_creepage"]) - longitudinal_creepage))
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def __iter__(self) -> Iterator[Point]:
+        return iter(self.points)
+
+    def __getitem__(self, number: int) -> Point:
+        return self.points[number]
+
+    def columns(self) -> dict[str, np.ndarray]:
+        """All numbers over the load points.
+
+        Returns:
+            Arrays by name of the quantities that the model gives, with NAME_bar beside those that have error bars.
+
+        >>> result["halfspace"].columns()["max_pressure_bar"]
+        """
+        return columns_of(self.values, self.bars)
+
+    def _labelled(self) -> Labelled:
+        values: dict[str, tuple[Sequence[str], Any, dict[str, str]]] = {}
+        for name, column in self.columns().items():
+            values[name] = ("point_index",), column, {"units": QUANTITIES[name.removesuffix("_bar")].unit}
+        empty = np.full((len(self.y), len(self.x)), np.nan)
+        for name, field in FIELDS.items():
+            if any(name in point.fields for point in self.points):
+                values[name] = (("point_index", "y", "x"), np.stack([p.fields.get(name, empty) for p in self.points]),
+                                {"units": field.unit})
+        return (values, {"point_index": np.arange(len(self)), "x": self.x, "y": self.y},
+                {"model": self.name, "key": self.key})
+
+    plot_creep_curve = plot.creep_curve
+    plot_pressure = plot.pressure
+    plot_traction = plot.traction
+    plot_path = plot.path
+
+    def __repr__(self) -> str:
+        seconds = self.seconds.get("total")
+        took = "" if seconds is None else f", {seconds:.3g} s"
+        return f"<rollfem.ModelResult {self.key}: {count(self.points, 'load point')}, {self.contact_elements} elements{took}>"
+
+    def _repr_html_(self) -> str:
+        return html_table(repr(self), heads(), ([self.values(name)[k] for name in SHOWN] for k in range(len(self))))
+
+
+def heads() -> list[str]:
+    """Of the columns SHOWN."""
+    return [QUANTITIES[name].label for name in SHOWN]
 
 
 @documented
@@ -74,6 +294,11 @@ class Result(Written):
             by_number = "pass"
         made.models = [ModelResult(key, model, by_number) for key, model in models]
         return made
+
+    @property
+    def labels(self) -> dict[str, str]:
+        """Of the models in figures, by name."""
+        return {model.name: model.label for model in self.models}
 
     @property
     def prescribed_forces(self) -> bool:

@@ -9,10 +9,9 @@ import numpy as np
 
 from . import plot
 from ._core import Progress
-from .case import Case, CaseLike, nested
+from .case import CREEPAGES, Case, CaseLike, nested, refuse_unused
 from .errors import InputError, SolveError
 from .frames import Labelled, OverAxes, documented, html_table
-from .names import CREEPAGES, refuse_unused
 from .point import QUANTITIES, Point, columns_of, known
 from .result import Result
 from .solving import Models, Told, names_of, solve

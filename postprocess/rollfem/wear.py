@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .errors import InputError
-from .model import ModelResult
+from .result import ModelResult
 from .track import Profile
 
 

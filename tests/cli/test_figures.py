@@ -13,9 +13,9 @@ import pytest
 from program import SMALL, TOY_PROGRAM, TWO_POSITIONS, package, says
 
 package()  # puts it on the path
-from rollfem.figures import curves, labels, load_points, maps, page, positions, report
-from rollfem.figures.outline import at_points, contour_lines
-from rollfem.figures.panel import Axis, nice_step, tick_text
+from rollfem.figures import curves, labels, load_points, maps, page, positions
+from rollfem.figures.maps import at_points, contour_lines
+from rollfem.figures.figure import Axis, nice_step, tick_text
 from rollfem.figures.profiles import on_scale
 from rollfem.reader import read_result
 from rollfem.stresses import stress_measures
@@ -153,9 +153,7 @@ def solved():
 
 def drawn(result, folder):
     """The names of the figures of a result, which the test has changed, and its report."""
-    report.of(result)
-    figures = page.draw_all(report.captioned(result), str(folder))
-    page.write_page(str(folder / "report.html"), *report.page(result, figures))
+    figures = page.draw(result, str(folder))
     return {name.removesuffix(".svg") for name in figures.figures}, (folder / "report.html").read_text("utf-8")
 
 
@@ -231,7 +229,7 @@ def test_lines_go_through_the_largest_pressure_and_oblique_views_have_room_for_i
         "models": ["halfspace"], "load.normal_force": 50e3, "friction.coefficient": 0.3,
         "undeformed_distance.file": "beside.csv", "rolling.longitudinal_creepage": 0.001,
         "contact_grid.cell_size": [0.5, 0.5], "contact_grid.extent": [20.0, 40.0]}), "-o", "out", "--no-report")
-    result = report.of(read_result(str(rollfem.work / "out")))
+    result = read_result(str(rollfem.work / "out"))
     models = load_points.with_pressure(result)
     at = curves.line_place(models, "x")
     assert at == pytest.approx(8, abs=models[0].dy) and curves.line_place(models, "y") == pytest.approx(0, abs=models[0].dx)

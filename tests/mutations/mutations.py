@@ -327,7 +327,7 @@ MUTATIONS = [
              "return -normal * std::sin(place.contact_angle) -",
              "the normal force pushes each wheel to the side to which its contact plane falls",
              ("cli_wheelset",)),
-    Mutation("richardson", "postprocess/rollfem/commands/convergence.py",
+    Mutation("richardson", "postprocess/rollfem/commands/refinement.py",
              "return fine + (fine - middle) /", "return fine - (fine - middle) /",
              "values are extrapolated away from the limit",
              ("python_studies",)),

@@ -16,8 +16,8 @@ import numpy as np
 import rollfem
 from module import PROGRAM
 from rollfem import _core
-from rollfem.model import ModelResult
 from rollfem.node import Node
+from rollfem.result import ModelResult
 from rollfem.shakedown import Ellipse, circle_limits, line_limits, sliding_circle_surface, surface_fatigue_index, yield_shear_stress
 from rollfem.stresses import von_mises
 

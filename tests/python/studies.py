@@ -14,14 +14,13 @@ import numpy as np
 
 import rollfem
 from rollfem.commands import benching, comparing, refinement
-from rollfem.commands.convergence import limit_of, order_of_errors
-from rollfem.figures.catalogue import build
+from rollfem.commands.refinement import limit_of, order_of_errors
+from rollfem.figures.page import build
 from rollfem.figures.published import published
 from rollfem.files import json_is_sound, rows_of, sealed_json
-from rollfem.model import ModelResult
 from rollfem.node import Node
 from rollfem.outputs import Study
-from rollfem.result import Result, models_of
+from rollfem.result import ModelResult, Result, models_of
 
 
 def sequence(order, levels, ratio=2.0, limit=3.0):

@@ -5,12 +5,11 @@ for which it would wait: everything up to `figures`. Imports within functions, o
 import ast
 
 # Each module may import those before it.
-ORDER = ("errors", "files", "frames", "stresses", "shakedown", "node", "point", "plot", "model", "result", "outputs", "reader",
-         "tables", "figures", "_core", "commands", "names", "case", "solving", "studies", "sweeping", "track", "wear", "reading",
-         "api", "__main__")
-FIGURES = ("labels", "styles", "panel", "figure", "outline", "published", "page", "load_points", "tables", "stresses", "curves",
-           "profiles", "stress_page", "maps", "yielding", "positions", "report", "table", "study", "compare", "catalogue")
-COMMANDS = ("convergence", "refinement", "levels", "comparing", "benching", "subsurface", "line")
+ORDER = ("errors", "files", "frames", "stresses", "shakedown", "node", "point", "plot", "result", "outputs", "reader", "tables",
+         "figures", "_core", "commands", "case", "solving", "sweeping", "track", "wear", "api", "__main__")
+FIGURES = ("labels", "styles", "figure", "published", "page", "load_points", "maps", "tables", "stresses", "curves", "profiles",
+           "yielding", "positions", "report", "table", "study", "compare")
+COMMANDS = ("refinement", "levels", "comparing", "benching", "subsurface", "line")
 
 
 def imported(text):

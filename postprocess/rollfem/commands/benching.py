@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .. import _core
-from ..model import ModelResult
-from ..result import models_of
+from ..result import ModelResult, models_of
 from .levels import known, reference_model
 
 # Elements across of the half-space, of theories and the hybrid, cells across of finite elements.

@@ -8,10 +8,9 @@ from typing import Any
 
 from .. import _core
 from ..files import cell, quoted, sealed_json
-from ..model import ModelResult
 from ..outputs import Comparison
 from ..point import QUANTITIES, Point, Quantity
-from ..result import Result, place_label
+from ..result import ModelResult, Result, place_label
 from .levels import known
 
 #: What may be found for a prescribed force: symbol, and the force that is then no result.

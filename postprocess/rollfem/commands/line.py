@@ -14,11 +14,10 @@ from typing import Any
 from .. import _core
 from ..errors import InputError, OutputError, SolveError
 from ..files import json_is_sound, regular
-from ..figures.catalogue import build, draw
-from ..model import ModelResult
+from ..figures.page import build, draw
 from ..outputs import Files
 from ..reader import read_result
-from ..result import models_of
+from ..result import ModelResult, models_of
 from . import comparing
 from .benching import bench as measured
 from .comparing import begin_comparison, compared_models, comparison_of

@@ -11,11 +11,10 @@ import numpy as np
 
 from .. import _core
 from ..errors import InputError
-from ..model import ModelResult
 from ..outputs import Stress, StressModel, StressSet, columns_below
 from ..point import Point
 from ..reader import read_result
-from ..result import Result
+from ..result import ModelResult, Result
 from ..shakedown import Ellipse, boundaries, circle_limits, line_limits, surface_fatigue_index, yield_shear_stress
 from ..stresses import stress_measures
 

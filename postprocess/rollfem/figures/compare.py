@@ -5,10 +5,10 @@ from html import escape
 
 import numpy as np
 
-from ..outputs import Comparison
+from ..reader import read_result
 from . import report, styles, tables
 from .figure import Figure
-from .page import build, hint, made_by, section
+from .page import draw, hint, made_by, section
 
 
 def _models(cases):
@@ -128,8 +128,9 @@ def _case_section(comparison, case):
     heading = f"<h2 id=\"{escape(case['name'])}\">{escape(case['title'] or case['name'])}</h2>"
     if not case["complete"]:
         return heading + _missing(case)
-    result, figures = build(report, os.path.join(comparison["directory"], case["name"]), reference=comparison["reference"],
-                            default_reference="halfspace")
+    result = read_result(os.path.join(comparison.folder, case["name"]))
+    result.reference, result.default_reference = comparison.data["reference"], "halfspace"
+    figures = draw(result, result.folder)
     inner = (report.touching(result, figures) + report.patches(result, figures, f"of-{case['name']}-")
              + section("Cost", tables.cost_table(result)) + report.notes(result))
     return "".join([heading, report.warned(result), report.asked(result), _missing(case), report.lower(inner),
@@ -148,12 +149,12 @@ def _elasticity(cases):
 
 def _asked(comparison):
     """Models and cases, the reference model of the differences, and its substitute where it has no value."""
-    ways = dict.fromkeys([comparison["reference"] or "halfspace",
-                          *(m for m in ("halfspace", "fem") if m in comparison["models"])])
+    ways = dict.fromkeys([comparison.data["reference"] or "halfspace",
+                          *(m for m in ("halfspace", "fem") if m in comparison.data["models"])])
     first, *others = [escape(styles.label(name)) for name in ways]
-    names = ", ".join(escape(styles.label(m)) for m in comparison["models"])
+    names = ", ".join(escape(styles.label(m)) for m in comparison.data["models"])
     cases = "".join(f"<li><a href=\"#{escape(c['name'])}\">{escape(c['name'])}</a>: "
-                    f"{escape(c['title'])}</li>" for c in comparison["cases"])
+                    f"{escape(c['title'])}</li>" for c in comparison.data["cases"])
     return (f"<p>Models: {names}. Differences are from {first}"
             + (f" or, where it has no value, from {' or '.join(others)}. " if others else ". ")
             + "An exact closed form (Hertz) is the reference where the other one does not resolve its model error. "
@@ -161,21 +162,7 @@ def _asked(comparison):
 
 
 def _complete(comparison):
-    return [case for case in comparison["cases"] if case["complete"]]
-
-
-PAGE = "compare.html"
-
-
-def read(path):
-    """The comparison of a folder."""
-    return of(Comparison.read(path))
-
-
-def of(comparison):
-    """What compare.json says of a rollfem.Comparison; figures then know how its models are called."""
-    styles.know(comparison.data.get("labels", {}))
-    return {**comparison.data, "directory": comparison.folder}
+    return [case for case in comparison.data["cases"] if case["complete"]]
 
 
 def captioned(comparison):
@@ -187,12 +174,12 @@ def captioned(comparison):
 def page(comparison, drawn):
     """The page; it also draws the report of every case."""
     cases = _complete(comparison)
-    sections = [_case_section(comparison, c) for c in comparison["cases"]]
-    found = _differences(cases, comparison["quantities"])
+    sections = [_case_section(comparison, c) for c in comparison.data["cases"]]
+    found = _differences(cases, comparison.data["quantities"])
     title = "Comparison of models on " + (
-        escape(cases[0]["name"]) if len(cases) == 1 else f"{len(comparison['cases'])} cases")
-    return title, made_by(comparison["program"], comparison), [
-        report.verdict(comparison["verdict"]), _asked(comparison),
+        escape(cases[0]["name"]) if len(cases) == 1 else f"{len(comparison.data['cases'])} cases")
+    return title, made_by(comparison.data["program"], comparison.data), [
+        report.verdict(comparison.data["verdict"]), _asked(comparison),
         section("Differences between models", drawn(""), found),
         hint("Largest difference over the load points of the case, with its sign. Bold: at least one "
              "load point exceeds the error bars of both models together; their number is given below. “bars”: "

@@ -7,7 +7,7 @@ import numpy as np
 
 from . import load_points, styles, tables
 from .figure import Figure
-from .outline import ALONG, extent, loaded_runs
+from .maps import ALONG, extent, loaded_runs
 from .published import published
 
 

@@ -1,12 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The frame of every report: one self-contained file for screens, phones, printers and screen readers,
-on light and dark ground; and the drawing of its figures."""
+on light and dark ground; and the drawing of its figures. What rollfem writes is drawn by a module each, of an object of the
+package: `captioned` ((file name, caption, function that makes a Figure or returns None) of all figures) and `page`
+(the arguments of write_page); a table NAME.csv by `of_table`."""
+import importlib
 import os
 import re
 from html import escape
+from types import ModuleType
+from typing import Any
 
-from ..files import folder_of, write_whole
+from ..errors import FileError
+from ..files import folder_of, read_rows, write_whole
+from ..reader import stored
 from . import styles
+
 
 with open(os.path.join(os.path.dirname(__file__), "page.css"), encoding="utf-8") as _file:
     CSS = _file.read()
@@ -35,6 +43,10 @@ class Drawn:
         return Drawn({name[len(prefix):]: html for name, html in self.figures.items() if name.startswith(prefix)})
 
 
+# Modules and pages of kinds (reader.KINDS) that are not called as these.
+MODULES, PAGES = {"result": "report", "stress": "stresses"}, {"result": "report"}
+# (characteristic column of a table, module).
+TABLES = (("part", "profiles"), ("conicity_wave", "positions"), ("curvature", "profiles"))
 # Starting processes takes longer than drawing fewer figures.
 LEAST_SPREAD = 24
 
@@ -76,18 +88,34 @@ def _do_task(number):
     return _task(number)
 
 
-def build(module, path, **how):
-    """Draws what lies at a path to figures/ and writes its page, by a module (catalogue); returns what was read and the
-    figures for which there is data (Drawn)."""
-    found = module.read(path, **how)
-    return found, draw(module, found, folder_of(path))
+def build(path: str) -> None:
+    """Draws what lies at a path: the figures and the page of a folder, or NAME.svg of a table NAME.csv."""
+    if not path.endswith(".csv"):
+        draw(stored(path), folder_of(path))
+        return
+    columns = next(iter(read_rows(path)[1]), ())
+    if not (name := next((module for column, module in TABLES if column in columns), None)):
+        raise FileError(f"{path}: no figure exists for this table; allowed: tables of rollfem profile and rollfem wheelset")
+    _module(name).of_table(path).save(os.path.splitext(path)[0] + ".svg")
 
 
-def draw(module, found, folder):
-    """Draws what a module has read or been given; returns the figures (Drawn)."""
-    drawn = draw_all(module.captioned(found), folder)
-    write_page(os.path.join(folder, module.PAGE), *module.page(found, drawn))
+def draw(thing: Any, folder: str) -> Drawn:
+    """Draws the figures and the page of an object of the package to a folder; returns the figures."""
+    module = drawing(thing)
+    drawn = draw_all(module.captioned(thing), folder)
+    write_page(os.path.join(folder, f"{PAGES.get(thing.kind, thing.kind)}.html"), *module.page(thing, drawn))
     return drawn
+
+
+def drawing(thing: Any) -> ModuleType:
+    """The module that draws an object of the package, whose models it then calls by their labels."""
+    styles.know(thing.labels)
+    return _module(MODULES.get(thing.kind, thing.kind))
+
+
+def _module(name):
+    """Loads only the modules of the call, because the user waits for each of them."""
+    return importlib.import_module(f".{name}", __package__)
 
 
 def section(heading, *parts):

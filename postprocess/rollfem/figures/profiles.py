@@ -9,7 +9,7 @@ import numpy as np
 from ..files import read_rows, regular
 from ..reader import read_columns
 from .figure import Figure
-from .outline import colour_scale, filled
+from .maps import colour_scale, filled
 
 LINEAR = 1e-3  # 1/mm; the scale of curvature is linear below and logarithmic beyond: radii from 10 mm to 10 m
 DECADE = 0.6  # length of the linear part, in decades

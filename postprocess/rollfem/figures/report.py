@@ -8,9 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from ..errors import FileError
-from ..model import count
-from ..reader import read_result
-from ..result import place_label
+from ..result import count, place_label
 from . import curves, load_points, maps, positions, stresses, styles, tables, yielding
 from .page import case_file, hint, made_by, section
 
@@ -99,6 +97,9 @@ def _telling(scene):
 def captioned(result):
     """The same for a whole run: the places of the patches, then the figures of each patch, whose names begin with s1_,
     s2_, ... if there are several."""
+    if not result.inputs:
+        raise FileError(f"{result.folder} was written by an earlier version, without the keys of its case; do: run the case again, "
+                        "or read its numbers with rollfem.read")
     scenes = result.scenes()
     yield ("friction_law.svg", "Friction over the slip velocity of an element, from rest to what is left of it at high "
            "velocities (dotted). Upright: the slip velocity of rigid bodies at the largest creepage. With memory, friction "
@@ -300,26 +301,6 @@ def touching(result, figures):
         "Where wheel and rail touch", positions.contact_table(result),
         hint("Track: y to the right, contact angle positive where the plane falls towards the middle of the track; "
              "profile coordinates: y to the field side. Forces and pressures at the first load point."), figures("pair_", "work_", "positions"))
-
-
-PAGE = "report.html"
-
-
-def read(directory, reference="", default_reference=""):
-    """The result of a folder. `reference`, `default_reference`: names of the reference model chosen by the user and by the
-    command."""
-    result = of(read_result(directory))
-    if not result.inputs:
-        raise FileError(f"{directory} was written by an earlier version, without the keys of its case; do: run the case again, or "
-                        "read its numbers with rollfem.read")
-    result.reference, result.default_reference = reference, default_reference
-    return result
-
-
-def of(result):
-    """A result of the package."""
-    styles.know({model.name: model.label for model in result.models})
-    return result
 
 
 def page(result, figures):

@@ -1,21 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """study.html: values and errors of one case on successively finer grids."""
-import copy
 from html import escape
 
 import numpy as np
 
-from ..errors import FileError
-from ..files import rows_of
-from ..outputs import Study
-from ..point import Quantity
 from . import report, styles, tables
 from .figure import Figure
 from .labels import math
 from .page import case_file, hint, made_by, section
 
 PATCH = ["max_pressure", "semi_axis_x", "semi_axis_y", "contact_length", "contact_width", "approach"]
-COLUMNS = {"values": "value", "bars": "error_estimate", "errors": "error", "orders": "order"}  # of study.csv
 SMALLEST = 1e-9  # relative; smaller errors cannot be drawn
 
 
@@ -252,8 +246,9 @@ estimates."""
 MOST_OPEN = 3
 
 
-def captioned(study):
+def captioned(made):
     """The figures of all places."""
+    study = made.with_numbers
     friction = study["friction_coefficient"]
     for place in study["places"]:
         suffix = f"_{place['key']}" if place["key"] else ""
@@ -285,45 +280,9 @@ def _place_part(study, place, drawn):
     return f"<details><summary>{title}</summary>{body}</details>"
 
 
-PAGE = "study.html"
-
-
-def read(path):
-    """The study of a folder."""
-    return of(Study.read(path))
-
-
-def of(made):
-    """What study.json says of a rollfem.Study, with the numbers of its levels."""
-    study = copy.deepcopy(made.data)
-    _add_numbers(study, made.contents["study.csv"])
-    styles.know(study.get("labels", {}))
-    quantities = {name: Quantity(**quantity) for name, quantity in study["quantities"].items()}
-    for place in study["places"]:
-        place["quantities"] = quantities
-        for series in place["series"]:  # studies of 0.1.0 had one reference for all
-            series.setdefault("references", place["references"])
-    return study
-
-
-def _add_numbers(study, text):
-    """Adds to the levels of a study their numbers by quantity, from its table."""
-    levels = {(place["key"], series["model"], series["vary"], level["label"], level["parameter"]): level
-              for place in study["places"] for series in place["series"] for level in series["levels"]}
-    for level in levels.values():
-        level.update((name, {}) for name in COLUMNS)
-    try:
-        for row in rows_of(text)[1]:
-            level = levels[row["place"], row["model"], row["vary"], row["level"], float(row["parameter"])]
-            for name, column in COLUMNS.items():
-                if row[column]:
-                    level[name][row["quantity"]] = float(row[column])
-    except (KeyError, ValueError) as error:
-        raise FileError(f"study.csv is not the table of this study: {error!r}; run the command again") from error
-
-
-def page(study, drawn):
+def page(made, drawn):
     """The page of the study."""
+    study = made.with_numbers
     return "Refinement study: " + escape(study["title"] or study["case_file"]), made_by(study["program"], study), [
         report.verdict(study["verdict"]), case_file(study["case_file"], study["case_text"]),
         *(hint(f"{escape(note)}.") for note in study["notes"]), _overview(study),

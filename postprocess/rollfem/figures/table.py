@@ -5,7 +5,6 @@ from html import escape
 
 import numpy as np
 
-from ..tables import Table
 from .figure import Figure
 from .page import hint, section
 from .tables import number, plain, table
@@ -257,19 +256,6 @@ def _of_what(found):
     return (f"Creep forces of a wheel on its rail, friction {number(found.friction_coefficient, 3)}, normal force "
             f"{number(float(force.min()), 6)} to {number(float(force.max()), 6)} N, creepages and forces of the main contact; "
             "a and b are the semi-axes of the equivalent ellipse")
-
-
-PAGE = "table.html"
-
-
-def read(path):
-    """The table of a folder."""
-    return Table(path)
-
-
-def of(found):
-    """From a Table."""
-    return found
 
 
 def page(found, drawn):

@@ -9,7 +9,7 @@ import numpy as np
 from ..shakedown import Ellipse, boundaries
 from . import load_points, stresses, styles
 from .figure import Figure
-from .outline import colour_scale, filled
+from .maps import colour_scale, filled
 from .page import hint
 from .tables import barred, heading, number, table
 
