@@ -36,7 +36,7 @@ def stored(path: str) -> Any:
         from .tables import Table
         return Table(path)
     from .outputs import Comparison, Files, Stress, Study
-    kinds: dict[str, type[Files]] = {each.kind: each for each in (Study, Comparison, Stress)}
+    kinds: dict[str, type[Files]] = {"study": Study, "compare": Comparison, "stress": Stress}
     return kinds[kind].read(path)
 
 
