@@ -209,7 +209,8 @@ struct ModelResult {
   /// A request that was not met although the results are valid; otherwise empty. The run then ends
   /// with status 1 after writing them.
   std::string shortfall;
-  std::vector<Note> notes;  ///< domain, symmetry, limits, sources of errors
+  std::vector<Note> notes;          ///< domain, symmetry, limits, sources of errors
+  std::vector<std::string> traits;  ///< what holds of the model, as registered; for figures
   ContactGrid grid;
   ProfileRows rows;  ///< empty for theories without slip
   std::vector<PointResult> points;
@@ -241,8 +242,9 @@ struct ModelResult {
         member("contact_elements", &S::contact_elements, "-"),
         member_if_given("choice", &S::choice), member_if_given("shortfall", &S::shortfall),
         member("notes", &S::notes, "", "Notes: domain, symmetry, limits"),
-        member_within("grid", &S::grid), member_within("rows", &S::rows),
-        member_within("points", &S::points), member_within("bodies", &S::bodies));
+        member_within("traits", &S::traits), member_within("grid", &S::grid),
+        member_within("rows", &S::rows), member_within("points", &S::points),
+        member_within("bodies", &S::bodies));
   }
 };
 

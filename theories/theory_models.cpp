@@ -258,7 +258,7 @@ void add_closed_forms(contact::ModelRegistry& models) {
                return c.has_profiles() ? run_hertz_of_patch(c, p) : run_hertz(c, p);
              },
              {false, true});
-  hertz.in_compare = true;
+  hertz.frictionless = hertz.in_compare = true;
   ModelInfo linear = theory(
       "linear", "linear theory", "Kalker's linear theory: creep forces without a friction bound",
       {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin},
@@ -293,7 +293,7 @@ void add_theories_of_strips(contact::ModelRegistry& models) {
        Demand::spin, Demand::extra_slip, Demand::falling_friction, Demand::layer},
       with_pass_work(elliptic(run_fastsim)));
   fastsim.refinements = {refined_strips<FastsimOptions, &ModelOptions::fastsim>()};
-  fastsim.in_compare = true;
+  fastsim.own_bound = fastsim.in_compare = true;
   ModelInfo fastrip = theory("fastrip", "FaStrip",
                              "FASTSIM's direction of slip with the adhesion area of strip theory",
                              {Demand::tangential_force, Demand::profiles, Demand::sections,
@@ -312,7 +312,7 @@ void add_theories_of_strips(contact::ModelRegistry& models) {
           [](const Scene& c, const Progress& p) { return run_each_load(run_strip, c, p); }),
       {true, false});
   strip.refinements = {refined_strips<contact::StripOptions, &ModelOptions::strip>()};
-  strip.in_compare = true;
+  strip.own_bound = strip.in_compare = true;
   models.add(strip);
 }
 

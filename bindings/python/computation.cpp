@@ -237,11 +237,10 @@ py::list model_infos() {
     for (const contact::Refinement& way : model.refinements)
       ways.append(py::dict("word"_a = way.word, "also"_a = way.also, "parameter"_a = way.parameter,
                            "ratio"_a = way.ratio, "levels"_a = way.levels, "fixed"_a = way.fixed));
-    found.append(py::dict("name"_a = model.name, "built"_a = model.built,
-                          "chooses"_a = model.chooses, "parallel"_a = model.parallel,
-                          "half_spaces"_a = model.half_spaces, "has_stress"_a = model.has_stress,
-                          "keeps_bodies"_a = model.keeps_bodies, "in_compare"_a = model.in_compare,
-                          "measures_others"_a = model.measures_others, "ways"_a = ways));
+    py::dict one("name"_a = model.name, "ways"_a = ways);
+    for (const contact::ModelTrait& trait : contact::model_traits())
+      one[trait.name] = model.*trait.holds;
+    found.append(one);
   }
   return found;
 }
@@ -268,7 +267,8 @@ std::tuple<std::string, double, Scene> refined(Scene scene, const std::string& m
 /// Hertz's result if it is exact for the scene; otherwise none.
 Shared exact_of(const Scene& scene) {
   if (scene.has_profiles()) return nullptr;
-  const auto found = contact::attempt([&] { return known_models().run("hertz", scene, {}); });
+  const std::string closed_form = known_models().names(&contact::ModelInfo::frictionless).front();
+  const auto found = contact::attempt([&] { return known_models().run(closed_form, scene, {}); });
   if (!found) return nullptr;
   auto result = std::make_shared<Result>();
   result->models = {*found.value};

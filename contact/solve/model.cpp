@@ -166,6 +166,23 @@ bool is_plain(const std::string& name) {
 
 }  // namespace
 
+const std::vector<ModelTrait>& model_traits() {
+  using M = ModelInfo;
+  static const std::vector<ModelTrait> all{{"bounded", &M::bounded},
+                                           {"own_bound", &M::own_bound},
+                                           {"frictionless", &M::frictionless},
+                                           {"half_spaces", &M::half_spaces},
+                                           {"has_stress", &M::has_stress},
+                                           {"keeps_bodies", &M::keeps_bodies},
+                                           {"corrects_stress", &M::corrects_stress},
+                                           {"measures_others", &M::measures_others},
+                                           {"parallel", &M::parallel},
+                                           {"built", &M::built},
+                                           {"chooses", &M::chooses},
+                                           {"in_compare", &M::in_compare}};
+  return all;
+}
+
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -247,6 +264,9 @@ void complete(const ModelRegistry& models, const ModelInfo& model, const ModelIn
     add_note(result.notes, "stress", "no stress below the surface; models that compute it: {}",
              listed(models.names(&ModelInfo::has_stress)));
   explain_bars(input, model.bars, result);
+  result.traits.clear();
+  for (const ModelTrait& trait : model_traits())
+    if (model.*trait.holds) result.traits.emplace_back(trait.name);
   if (result.note_about(about_model_error) == nullptr)
     result.notes.push_back({about_model_error, model.no_model_error});
 }

@@ -94,6 +94,8 @@ struct ModelInfo {
   ModelRun run = nullptr;
   std::vector<Refinement> refinements = {};  ///< the first is the default of a study
   bool bounded = true;                       ///< its tractions respect the friction bound
+  bool own_bound = false;                    ///< that bound is the theory's own, not mu p_n
+  bool frictionless = false;                 ///< has one load point, whatever the creepages
   bool half_spaces = true;                   ///< its bodies are half-spaces
   bool has_stress = false;                   ///< solves the elastic problem, with subsurface stress
   bool keeps_bodies = false;  ///< that stress is stored with the bodies, not summed from tractions
@@ -122,6 +124,13 @@ struct ModelInfo {
     return first_beyond(takes, input);
   }
 };
+
+/// What may hold of a model, by the name that results keep it under (ModelResult::traits).
+struct ModelTrait {
+  const char* name;
+  bool ModelInfo::*holds;
+};
+const std::vector<ModelTrait>& model_traits();
 
 // The registry of models, used by commands, checks, help, documents, comparisons and studies. A
 // model is registered by one call of ModelRegistry::add.

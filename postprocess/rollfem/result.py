@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping, Sequence, Sized
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
@@ -41,6 +41,16 @@ class Note:
         return self.text
 
 
+@cache
+def registered() -> dict[str, frozenset[str]]:
+    """What holds of the models of the program, by name: files of earlier versions do not say it."""
+    try:
+        from . import _core
+    except ImportError:
+        return {}
+    return {model["name"]: frozenset(name for name, holds in model.items() if holds is True) for model in _core.model_infos()}
+
+
 @documented
 class ModelResult(Gridded, Named):
     """Results of one model on one patch: its load points on its contact grid.
@@ -67,6 +77,7 @@ class ModelResult(Gridded, Named):
     notes: Annotated[list[Note], "what a reader must know, sources of errors among it"]
     choice: Annotated[str, "why `auto` chose it"]
     shortfall: Annotated[str, "what was requested and not reached"]
+    traits: Annotated[frozenset[str], "what holds of the model, as registered: bounded, has_stress, ..."]
 
     _found: dict[tuple[Any, ...], Point] | None = None  # points by key, created on first use
 
@@ -84,8 +95,9 @@ class ModelResult(Gridded, Named):
         for column in ("x", "y", "y_wheel", "y_rail", "width"):
             setattr(self, column, grid.entries.get(column))
         points = sorted(node.parts["points"].parts.items(), key=lambda item: int(item[0]))
-        # Hertz always has a single point.
-        self.points = [Point(point, number, by_number if self.name != "hertz" else "", self.place, node.parts.get("bodies"))
+        self.traits = frozenset(node.parts["traits"].attributes) if "traits" in node.parts else registered().get(
+            self.name, frozenset({"bounded"}))
+        self.points = [Point(point, number, "" if "frictionless" in self.traits else by_number, self.place, node.parts.get("bodies"))
                        for number, (_, point) in enumerate(points)]
 
     @property
@@ -96,7 +108,7 @@ class ModelResult(Gridded, Named):
     @property
     def has_bound(self) -> bool:
         """Whether its tractions have a bound; those of the linear theory do not."""
-        return self.name != "linear"
+        return "bounded" in self.traits
 
     def values(self, name: str) -> np.ndarray:
         """A quantity over the load points.

@@ -383,6 +383,9 @@ Tree model_tree(const ModelResult& model, const contact::Case& input) {
   fill(grid, model.rows);
   if (const auto kept = model.points_with_bodies(); !kept.empty())
     tree.parts.push_back(bodies_tree(model, kept.back()));
+  Tree& traits = tree.parts.emplace_back(Tree{"traits", "What holds of the model"});
+  traits.summed_up = false;
+  for (const std::string& name : model.traits) traits.attributes.emplace_back(name, true);
   return tree;
 }
 

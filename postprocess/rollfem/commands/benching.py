@@ -88,7 +88,8 @@ def case_of(given: BenchCase, model: str, across: int) -> _core.Case:
 
     if not known()[model]["keeps_bodies"]:
         return parsed(f"[contact_grid]\nelements_across = {across}\n")
-    ellipse = _core.solve(parsed(""), ["hertz"], None, False)[0]
+    closed_form = next(name for name, of in known().items() if of["frictionless"])
+    ellipse = _core.solve(parsed(""), [closed_form], None, False)[0]
     axes = [models_of(ellipse)[0][0][name] for name in ("semi_axis_x", "semi_axis_y")]
     return parsed(f"[fem]\ncell_size = {2 * min(axes) / across!r}\n")
 

@@ -323,7 +323,7 @@ def compare_json(record: Record) -> str:
               "seconds": one.seconds, "standings": [_standing_data(standing) for standing in one.standings]}
              for compared, one in zip(record.cases, every)]
     return sealed_json({"format": 3, "kind": "compare", **record.head, "models": list(record.models),
-                        "reference": record.reference, "quantities": headings, "verdict": verdict(every), "cases": cases})
+                        "reference": record.reference, "measures": list(record.measures), "quantities": headings, "verdict": verdict(every), "cases": cases})
 
 
 HEAD = ("case,patch,model,point,longitudinal_creepage [-],lateral_creepage [-],spin [rad/mm],quantity,value,error_estimate,"

@@ -435,7 +435,8 @@ def _series_data(record: Record, place: Place, series: Series) -> dict[str, Any]
                    for key, (value, uncertainty) in record.differences(place, series).items()}
     levels = [{name: getattr(level, name) for name in ("label", "parameter", "unknowns", "contact_elements", "seconds")}
               for level in series.levels]
-    found = {**{name: getattr(series, name) for name in ("model", "vary", "parameter", "ratio", "failure", "left_out")},
+    names = ("model", "vary", "parameter", "ratio", "measures_others", "failure", "left_out")
+    found = {**{name: getattr(series, name) for name in names},
              "levels": levels, "limits": limits, "references": _references_data(references)}
     return {**found, "model_differences": differences} if differences else found
 

@@ -6,6 +6,7 @@ from html import escape
 import numpy as np
 
 from ..reader import read_result
+from ..result import registered
 from . import report, styles, tables
 from .figure import Figure
 from .page import draw, hint, made_by, section
@@ -129,7 +130,7 @@ def _case_section(comparison, case):
     if not case["complete"]:
         return heading + _missing(case)
     result = read_result(os.path.join(comparison.folder, case["name"]))
-    result.reference, result.default_reference = comparison.data["reference"], "halfspace"
+    result.reference, result.default_reference = comparison.data["reference"], _measures(comparison)[0]
     figures = draw(result, result.folder)
     inner = (report.touching(result, figures) + report.patches(result, figures, f"of-{case['name']}-")
              + section("Cost", tables.cost_table(result)) + report.notes(result))
@@ -138,9 +139,15 @@ def _case_section(comparison, case):
                     "full report of this case</a></p>"])
 
 
-def _elasticity(cases):
+def _measures(comparison):
+    """The default references, in order of preference."""
+    return comparison.data.get("measures") or [name for name, traits in registered().items() if "measures_others" in traits
+                                               ] or comparison.data["models"]
+
+
+def _elasticity(comparison, cases):
     """Explains differences between finite elements and half-space that are not errors."""
-    if not {"fem", "halfspace"} <= set(_models(cases)):
+    if not set(_measures(comparison)) <= set(_models(cases)):
         return ""
     return (" Differences between FEM and half-space beyond the error bars are not only numerical errors: a half-space "
             "neglects the strain of a loaded wheel along its circumference, which causes a force even at ξ = 0, and the "
@@ -149,8 +156,9 @@ def _elasticity(cases):
 
 def _asked(comparison):
     """Models and cases, the reference model of the differences, and its substitute where it has no value."""
-    ways = dict.fromkeys([comparison.data["reference"] or "halfspace",
-                          *(m for m in ("halfspace", "fem") if m in comparison.data["models"])])
+    measures = _measures(comparison)
+    ways = dict.fromkeys([comparison.data["reference"] or measures[0],
+                          *(m for m in measures if m in comparison.data["models"])])
     first, *others = [escape(styles.label(name)) for name in ways]
     names = ", ".join(escape(styles.label(m)) for m in comparison.data["models"])
     cases = "".join(f"<li><a href=\"#{escape(c['name'])}\">{escape(c['name'])}</a>: "
@@ -183,6 +191,6 @@ def page(comparison, drawn):
         section("Differences between models", drawn(""), found),
         hint("Largest difference over the load points of the case, with its sign. Bold: at least one "
              "load point exceeds the error bars of both models together; their number is given below. “bars”: "
-             f"sum of both at that point.{_elasticity(cases)}") if found else "",
+             f"sum of both at that point.{_elasticity(comparison, cases)}") if found else "",
         section("Cost", _cost_table(cases)), *sections, report.CONVENTIONS], (
         "Also in this folder: compare.csv with every number, compare.json, and a result folder for each case.")

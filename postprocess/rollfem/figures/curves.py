@@ -244,7 +244,7 @@ def _panels(result, title, labels, half, curve, thin):
     for model in models:
         found = curve(model, model.points[0], "pressure")
         if found is not None:
-            first.line(*found, order=3 if model.name == "hertz" else 2, **styles.line(model))
+            first.line(*found, order=3 if "frictionless" in model.traits else 2, **styles.line(model))
     low, high = _span(models, chosen, curve, {"traction_bound": 1, "traction_x": -1})
     room = 0.05 * (high - low) or 1.0
     for key in chosen:
@@ -265,7 +265,7 @@ def path(result, axis):
     models = load_points.with_pressure(result)
     if not models:
         return None
-    own, at = any(m.name in ("fastsim", "strip") for m in models), line_place(models, axis)
+    own, at = any("own_bound" in m.traits for m in models), line_place(models, axis)
     return _panels(result, "contact pressure", (_along(axis, at), "$p_n$ [MPa]", "$-p_x$ [MPa]"), "xy".index(axis),
                    line_of(axis, at), "traction bound" if own else "traction bound $\\mu p_n$")
 

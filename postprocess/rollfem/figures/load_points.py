@@ -54,13 +54,24 @@ def with_pressure(result):
     return [m for m in result.models if m.points and "pressure" in m.points[0].fields]
 
 
-# Default reference models, those with the smallest model error first.
-BEST = ("hybrid", "fem", "halfspace")
+# Default reference models by their traits, those with the smallest model error first.
+BEST = ("corrects_stress", "keeps_bodies", "has_stress")
+
+
+def by_reference(result, models, best=BEST):
+    """These models, the requested reference first, then the default one, then the best ones."""
+    wished = (result.reference, result.default_reference)
+
+    def rank(model):
+        return next((k for k, name in enumerate(wished) if name == model.name),
+                    len(wished) + next((k for k, trait in enumerate(best) if trait in model.traits), len(best)))
+
+    return sorted(models, key=rank)
 
 
 def reference_for_patch(result):
     """The requested reference model, otherwise the best one in the run."""
-    return _first_of(result.models, (result.reference, result.default_reference, *BEST, "hertz"))
+    return next(iter(by_reference(result, result.models, (*BEST, "frictionless"))), None)
 
 
 def reference_for(result, quantity):
@@ -75,11 +86,7 @@ def reference_for(result, quantity):
 
 
 def reference_for_forces(result):
-    return _first_of(friction_models(result), (result.reference, result.default_reference, *BEST))
-
-
-def _first_of(models, names):
-    return next((m for name in names for m in models if m.name == name), models[0] if models else None)
+    return next(iter(by_reference(result, friction_models(result))), None)
 
 
 def all_keys(models):

@@ -133,9 +133,8 @@ WHEELS = (("left", (), False), ("right", (5, 2.5), True))  # wheel, dash, hollow
 def reference_of_row(result):
     """Name of the model drawn in sweeps: the one with most places (Hertz cannot take every patch), among equals the
     reference."""
-    names = list(dict.fromkeys(m.name for m in result.models if m.points and m.place))
-    wished = [name for name in (result.reference, result.default_reference, *load_points.BEST) if name in names] + names
-    return max(wished, key=lambda name: sum(m.name == name for m in result.models))
+    names = [m.name for m in load_points.by_reference(result, [m for m in result.models if m.points and m.place])]
+    return max(names, key=names.count)
 
 
 def _row(title, models, at, value):
@@ -180,7 +179,7 @@ def followed(models):
 def _sweep_along(result, at, label):
     """Load, place and pressure of each contact over the position along the track or the angle of the wheel: a line
     for each contact that moves along."""
-    models = [m for m in result.models if m.points and "vermeulen" not in m.name]
+    models = [m for m in result.models if m.points]
     reference = reference_of_row(result)
     figure = Figure(3)
     names, sides = list(dict.fromkeys(m.name for m in models)), {m.place["wheel"] for m in models}
@@ -223,7 +222,7 @@ def sweep(result):
     at, label = over.at, over.label
     if over.is_way:
         return _sweep_along(result, at, label)
-    models = [m for m in result.models if m.points and "vermeulen" not in m.name]
+    models = [m for m in result.models if m.points]
     reference = reference_of_row(result)
     figure = Figure(3)
 

@@ -137,7 +137,7 @@ def errors_figure(place, across, wanted, friction):
                 panel.spots([(series["levels"][-1]["seconds"], 100 * abs(difference))],
                             **{**_look(place, series), "hollow": "open", "size": 5.5, "name": ""})
                 extra[f"large, open: model difference from {styles.label(place['reference'])}"] = {}
-            if across == "unknowns" and series["model"] == "halfspace" and len(spots) >= 3:
+            if across == "unknowns" and series.get("measures_others") and len(spots) >= 3:
                 # Slope of order 2 on a surface grid: the error falls as 1/unknowns.
                 ends = np.array([spots[0][0], spots[-1][0]]) * 1.6
                 panel.line(ends, 1.6 * spots[0][1] * ends[0] / ends, **ORDER)
