@@ -2,11 +2,15 @@
 // Parts of the module rollfem._core beside module.cpp.
 #pragma once
 
+#include "base/members.hpp"
 #include "contact/solve/model.hpp"
 
 #include "rollfem/rollfem.hpp"
+#include <functional>
 #include <memory>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <type_traits>
 
 namespace rollfem::python {
 
@@ -25,21 +29,24 @@ Shared unpacked(const py::tuple& state);
 /// The models of the package.
 const contact::ModelRegistry& known_models();
 
-/// Dictionaries body, measure, value, place.
-py::list maxima_of(const std::vector<contact::StressMaximum>& maxima);
+/// A struct of results by the names that files have for its members.
+template <class Whole>
+py::dict dict_of(const Whole& whole) {
+  py::dict found;
+  contact::for_members<Whole>([&](const auto& each) {
+    if constexpr (std::decay_t<decltype(each)>::kept != contact::Kept::within)
+      found[each.name] = std::invoke(each.part, whole);
+  });
+  return found;
+}
 
 /// {name: (title, symbol, unit, meaning, percent_of)}, in the order of the files.
 py::dict quantities();
 /// {name: (unit, description, sign)}
 py::dict fields();
 
-/// Where a patch is, by the names of all files; None without a place.
-py::object place_of(const std::optional<contact::ContactPlace>& place);
-
 /// The class CreepTable, on which rollfem.Table is made, and `fill_table`.
 void define_tables(py::module_& module);
-/// Writing and drawing.
-void define_commands(py::module_& module);
 /// The classes Scene, Level, Computing and Computation, by which studies and comparisons solve.
 void define_computations(py::module_& module);
 /// Stresses below the surface of stored load points.

@@ -285,12 +285,12 @@ std::vector<std::string> compared_quantities() {
 
 void define_scenes(py::module_& module) {
   py::class_<Scene>(module, "Scene")
-      .def_property_readonly("place", [](const Scene& scene) { return place_of(scene.place); })
+      .def_property_readonly("place",
+                             [](const Scene& scene) -> py::object {
+                               return scene.place ? py::object(dict_of(*scene.place)) : py::none();
+                             })
       .def_property_readonly(
           "key", [](const Scene& scene) { return scene.place ? scene.place->key() : ""; })
-      .def_property_readonly(
-          "label",
-          [](const Scene& scene) { return scene.place ? scene.place->label(" wheel") : ""; })
       .def_property_readonly("creepages", [](const Scene& scene) {
         std::vector<std::array<double, 3>> found;
         for (const contact::LoadPoint& point : scene.points)

@@ -4,16 +4,20 @@
 #include "base/pi.hpp"
 #include "base/threads.hpp"
 #include "bindings/python/caller.hpp"
+#include "case/checks/case_checks.hpp"
 #include "case/checks/plausibility.hpp"
 #include "case/keys/case_keys.hpp"
 #include "case/reading/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "models/registry.hpp"
 #include "profiles/profiles.hpp"
+#include "result/files/files_together.hpp"
+#include "result/write/output.hpp"
 
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <map>
 #include <pybind11/stl.h>
 #include <tuple>
 
@@ -40,6 +44,21 @@ py::tuple solved(const Case& input, const std::vector<std::string>& models, py::
 std::string written(const Result& result, const std::string& folder, bool report) {
   const FreeGil free;
   return write(folder, result, report);
+}
+
+/// Figures and page of what rollfem has written; why they were not drawn, empty where they were.
+std::string draw(const std::string& path) {
+  const FreeGil free;
+  return result::make_report(path, figures_directory());
+}
+
+/// A case of values whose text is made: its lines and columns say nothing.
+Case case_of_values(const std::string& text, const std::string& name) {
+  try {
+    return parse_case(text, name);
+  } catch (const contact::CaseError& error) {
+    throw InputError({name}, error.text());
+  }
 }
 
 /// All [(section, key, unit)] of the case file.
@@ -84,6 +103,11 @@ void define_progress(py::module_& module) {
 
 }  // namespace
 
+const contact::ModelRegistry& known_models() {
+  static const contact::ModelRegistry models = modelling::built_in_models();
+  return models;
+}
+
 }  // namespace rollfem::python
 
 PYBIND11_MODULE(_core, module) {
@@ -106,7 +130,6 @@ PYBIND11_MODULE(_core, module) {
   });
   python::define_progress(module);
   python::define_tables(module);
-  python::define_commands(module);
   python::define_computations(module);
   python::define_stress(module);
   python::define_track(module);
@@ -142,6 +165,13 @@ PYBIND11_MODULE(_core, module) {
     return contact::read_case(file, modelling::known_names(python::known_models()), changes);
   });
   module.def("parse_case", &parse_case);
+  module.def("case_of_values", &python::case_of_values);
+  // Files of one folder, whole or not at all; those of other commands stay.
+  module.def("write_files",
+             [](const std::string& folder, const std::map<std::string, std::string>& contents) {
+               result::write_together(folder, contents);
+             });
+  module.def("draw", &python::draw);
   module.def("models", &models);
   module.attr("most_threads") = contact::most_threads;
   module.def("threads", [] { return python::wanted_threads().load(); });

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// Results as Python sees them; and as bytes and back, for the processes of a pool: bit for bit, by
+// the records of checkpoints.
+#include "base/errors.hpp"
 #include "bindings/python/bindings.hpp"
+#include "models/program/provenance.hpp"
 #include "result/quantities.hpp"
+#include "result/record.hpp"
 #include "result/write/contents.hpp"
 
 #include <array>
@@ -55,6 +60,16 @@ py::tuple tuple_of(const Tree& tree, const Owner& result) {
   return py::make_tuple(attributes_of(tree), entries_of(tree, result), parts);
 }
 
+/// All but the case.
+void exchange(contact::Record& record, Result& result) {
+  record.values(result.provenance, result.verdict, result.models, result.pairs, result.wheelset,
+                result.rigid_row);
+}
+
+std::string program() {
+  return modelling::version() + ' ' + modelling::commit();
+}
+
 }  // namespace
 
 py::tuple contents_of(const Shared& result) {
@@ -76,17 +91,24 @@ py::tuple contents_of(const Shared& result) {
   return whole;
 }
 
-py::list maxima_of(const std::vector<contact::StressMaximum>& maxima) {
-  py::list found;
-  for (const contact::StressMaximum& maximum : maxima)
-    found.append(py::dict("body"_a = maximum.body, "measure"_a = maximum.measure,
-                          "value"_a = maximum.value, "place"_a = maximum.place));
-  return found;
+py::tuple packed(const Result& result) {
+  Result copy = result;
+  contact::Record record;
+  exchange(record, copy);
+  return py::make_tuple(program(), copy.input.text, copy.input.file, copy.input.models,
+                        py::bytes(record.bytes()));
 }
 
-py::object place_of(const std::optional<contact::ContactPlace>& place) {
-  if (!place) return py::none();
-  return attributes_of(result::place_tree(*place));
+Shared unpacked(const py::tuple& state) {
+  if (state[0].cast<std::string>() != program())
+    throw InputError("a pickled result belongs to another version of rollfem (" +
+                     state[0].cast<std::string>() + "); do: unpickle it there, and write it");
+  auto result = std::make_shared<Result>();
+  result->input = parse_case(state[1].cast<std::string>(), state[2].cast<std::string>());
+  result->input.models = state[3].cast<std::vector<std::string>>();
+  contact::Record record(state[4].cast<std::string>());
+  exchange(record, *result);
+  return result;
 }
 
 py::dict quantities() {

@@ -85,6 +85,13 @@ py::tuple below(const Loaded& load, bool wheel, double young, double poisson, co
   return py::make_tuple(array_of(displacement), array_of(stress));
 }
 
+/// Dictionaries body, measure, value, place.
+py::list maxima_of(const std::vector<contact::StressMaximum>& maxima) {
+  py::list found;
+  for (const contact::StressMaximum& maximum : maxima) found.append(dict_of(maximum));
+  return found;
+}
+
 /// The largest stresses of wheel and rail as half-spaces; `materials`: (E, nu) of both.
 py::list maxima(const Loaded& load, const std::array<std::array<double, 2>, 2>& materials,
                 double semi_axis_x, double semi_axis_y) {

@@ -63,7 +63,7 @@ py::list contact_points_of(const Case& input) {
     contacts = track::place_wheels(input, track::search_scene_of(input));
   }
   py::list found;
-  for (const track::WheelRailContact& contact : contacts) found.append(place_of(contact.place));
+  for (const track::WheelRailContact& contact : contacts) found.append(dict_of(contact.place));
   return found;
 }
 
@@ -98,15 +98,17 @@ py::dict profile_of(const Case& input, bool wheel) {
                                 : profiles::make_profile(source, wheel, input.file, &report);
     rows = profiles::profile_rows(curve, wheel);
   }
-  using Row = const profiles::ProfileRow&;
+  using Row = profiles::ProfileRow;
   found = features_of(curve, wheel);
   found["kind"] = report.kind;
   found["points"] = report.points;
-  found["s"] = column(rows, [](Row row) { return row.s; });
-  found["y"] = column(rows, [](Row row) { return row.y; });
-  found["z"] = column(rows, [](Row row) { return row.z; });
-  found["angle"] = column(rows, [](Row row) { return row.angle; });
-  found["curvature"] = column(rows, [](Row row) { return row.curvature; });
+  const std::pair<const char*, double Row::*> columns[] = {{"s", &Row::s},
+                                                           {"y", &Row::y},
+                                                           {"z", &Row::z},
+                                                           {"angle", &Row::angle},
+                                                           {"curvature", &Row::curvature}};
+  for (const auto& [name, member] : columns)
+    found[name] = column(rows, [m = member](const Row& row) { return row.*m; });
   if (report.smoothing)
     found["smoothing"] =
         py::dict("scatter"_a = report.smoothing->scatter, "rms"_a = report.smoothing->rms,

@@ -376,20 +376,17 @@ bool is_option(const std::string& file) {
 }
 
 void fail(const std::string& file, const CaseProblem& problem) {
-  std::string text = file;
-  if (is_option(file)) {
-    text += ": ";
-  } else {
-    if (problem.line > 0) text += fmt::format(":{}:{}", problem.line, problem.column);
-    text += ": ";
-    if (!problem.key.empty()) text += problem.key;
+  std::string place = file, text;
+  if (!is_option(file)) {
+    if (problem.line > 0) place += fmt::format(":{}:{}", problem.line, problem.column);
+    text += problem.key;
     if (!problem.value.empty()) text += " = " + problem.value;
     if (!problem.key.empty()) text += ": ";
   }
   text += problem.wrong;
   if (!problem.allowed.empty()) text += "; allowed: " + problem.allowed;
   if (!problem.action.empty()) text += "; do: " + problem.action;
-  throw InputError(text);
+  throw CaseError({place}, text);
 }
 
 void fail_at(const GivenCase& given, const std::string& path, const GivenValue& value,

@@ -2,6 +2,7 @@
 // Checks of a case file beyond the bounds of each key, and the wording of its errors.
 #pragma once
 
+#include "base/errors.hpp"
 #include "case/keys/case_keys.hpp"
 
 #include <map>
@@ -34,6 +35,12 @@ struct GivenCase {
   const GivenValue* find(const std::string& section, const std::string& name) const;
 };
 
+/// A key or value of a case is wrong; its place is FILE:LINE:COLUMN.
+class CaseError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// One message: FILE:LINE:COLUMN: key = value: wrong; allowed: ...; do: ...
 struct CaseProblem {
   unsigned line = 0;  ///< 0: the file as a whole
@@ -48,7 +55,7 @@ struct CaseProblem {
 /// `file` is a change by --set as typed: it contains key and value and has no lines.
 bool is_option(const std::string& file);
 
-/// Throws InputError with the message.
+/// Throws CaseError with the message.
 [[noreturn]] void fail(const std::string& file, const CaseProblem& problem);
 
 /// The value of a word, or its default.

@@ -6,7 +6,7 @@ import json
 import math
 import numbers
 import os
-import re
+import string
 import tomllib
 from collections.abc import Container, Iterator, Mapping, Sequence
 from html import escape
@@ -88,11 +88,11 @@ def paths(tree: Mapping[str, Any], above: str = "") -> Iterator[str]:
             yield f"{above}{name}"
 
 
-BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+BARE = {*string.ascii_letters, *string.digits, *"_-"}
 
 
 def _key(name: str) -> str:
-    return name if BARE_KEY.fullmatch(name) else json.dumps(name, ensure_ascii=False)
+    return name if name and BARE.issuperset(name) else json.dumps(name, ensure_ascii=False)
 
 
 def _value(value: Any, where: str) -> str:
@@ -260,13 +260,7 @@ class Case(InFile):
         return case.with_({"wheel.rolling_radius": 0.5 / along, "rail.transverse_radius": 0.5 / across})
 
     def _parsed(self) -> _core.Case:
-        name = self._file or "case"
-        text = "\n".join(toml_lines(self._data)).lstrip("\n") + "\n"
-        try:
-            return _core.parse_case(text, name)
-        except InputError as error:
-            # Lines and columns would refer to generated text.
-            raise InputError(re.sub(rf"^{re.escape(name)}:\d+:\d+:", f"{name}:", str(error))) from None
+        return _core.case_of_values("\n".join(toml_lines(self._data)).lstrip("\n") + "\n", self._file or "case")
 
     def with_(self, changes: Mapping[str, Any] | None = None, /, **keys: Any) -> "Case":
         """Another case with changed keys.

@@ -9,7 +9,7 @@ import os
 import stat
 import zlib
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 _SEAL = 512  # bytes of the user block before the HDF5 data
 
@@ -103,15 +103,25 @@ def quoted(text: str) -> str:
     return f'"{safe}"'
 
 
-def rows_of(text: str) -> tuple[str, list[dict[str, str]]]:
-    """(title, [{column without its unit: text}]) of a CSV table; the title comes from a comment above it."""
+class Rows(NamedTuple):
+    """A CSV table, whose columns have names without their units."""
+
+    title: str  # from a comment above it
+    rows: list[dict[str, str]]
+    units: dict[str, str]
+
+
+def rows_of(text: str) -> Rows:
+    """The table in a text."""
     title, below = (text.partition("\n")[::2] if text.startswith("#") else ("", text))
     rows = list(csv.reader(io.StringIO(below)))
-    names = [column.split(" [")[0] for column in rows[0]] if rows else []
-    return title.lstrip("# ").strip(), [dict(zip(names, row)) for row in rows[1:]]
+    heads = [column.partition(" [")[::2] for column in rows[0]] if rows else []
+    names = [name for name, _ in heads]
+    return Rows(title.lstrip("# ").strip(), [dict(zip(names, row)) for row in rows[1:]],
+                {name: unit.removesuffix("]") for name, unit in heads})
 
 
-def read_rows(path: str) -> tuple[str, list[dict[str, str]]]:
-    """The same of a file."""
+def read_rows(path: str) -> Rows:
+    """The table in a file."""
     with open(path, encoding="utf-8", newline="", opener=regular) as file:
         return rows_of(file.read())

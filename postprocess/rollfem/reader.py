@@ -62,7 +62,7 @@ def _read_file(path: str, folder: str) -> Result:
 def read_columns(path: str, needed: str) -> tuple[str, dict[str, np.ndarray]]:
     """(title, {column without its unit: array}) of a CSV table of numbers; nan marks a missing one. FileError without
     the column `needed`."""
-    title, rows = read_rows(path)
+    title, rows, _ = read_rows(path)
     if not rows or needed not in rows[0]:
         raise FileError(f"{path}: has no column {needed}")
     return title, {name: np.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}

@@ -11,7 +11,7 @@ from typing import Any
 from .. import _core, outputs
 from ..errors import InputError, SolveError
 from ..point import Point
-from ..result import models_of
+from ..result import models_of, place_label
 from .refinement import RULES, Level, Place, Record, Series, study_csv, study_json, table
 
 
@@ -197,7 +197,7 @@ class Study:
         self.models = wishes.able(self.scenes)
         self.record = Record(work.provenance("rollfem::study"), case.title, case.file, case.text, case.friction_coefficient)
         for scene in self.scenes:
-            place = Place(scene.creepages, key=scene.key, name=scene.label, at=scene.place)
+            place = Place(scene.creepages, key=scene.key, name=place_label(scene.place), at=scene.place)
             place.exact = {key: point.scalars[name] for key, point, name in _numbers(_core.exact_of(scene), _axes(place))}
             self.record.places.append(place)
         if case.has_profiles:

@@ -137,13 +137,16 @@ def reference_of_row(result):
     return max(names, key=names.count)
 
 
-def _row(title, models, at, value):
-    """[(spots (where, value), whether a line joins them)] of one model and wheel: the sum over its patches for a force,
-    otherwise the most loaded patch, then the others."""
-    spots = [(at[m.place["position"]], value(m), m.place["patch"] == 1) for m in models]
+def _by_patch(title, value, here, at, look):
+    """Curves of one model and wheel (x, y, look): the sum over its patches for a force, otherwise the most loaded patch,
+    joined by a line, then the others."""
+    if title in FORCES and not any(m.has_friction for m in here):
+        return
+    spots = [(at[m.place["position"]], value(m), m.place["patch"] == 1) for m in here]
+    rows = [(sorted((w, v) for w, v, first in spots if first == joined), joined) for joined in (True, False)]
     if title in FORCES:
-        return [(sorted((where, sum(v for w, v, _ in spots if w == where)) for where in {w for w, *_ in spots}), True)]
-    return [(sorted((w, v) for w, v, first in spots if first == joined), joined) for joined in (True, False)]
+        rows = [(sorted((where, sum(v for w, v, _ in spots if w == where)) for where in {w for w, *_ in spots}), True)]
+    yield from ((*zip(*row), {**look, "joined": joined}) for row, joined in rows if row)
 
 
 # Panels of a sweep along the way, as PANELS.
@@ -176,66 +179,54 @@ def followed(models):
     return contacts
 
 
-def _sweep_along(result, at, label):
-    """Load, place and pressure of each contact over the position along the track or the angle of the wheel: a line
-    for each contact that moves along."""
-    models = [m for m in result.models if m.points]
-    reference = reference_of_row(result)
-    figure = Figure(3)
-    names, sides = list(dict.fromkeys(m.name for m in models)), {m.place["wheel"] for m in models}
-
-    def curves(title, value):
-        for name, (wheel, dash, hollow) in itertools.product(names, WHEELS):
-            here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel)]
-            if not here or name != reference and title not in (PRESSURE, *FORCES):
-                continue
-            words = [styles.label(name)] * (len(names) > 1) + [f"{wheel} wheel"] * (len(sides) > 1)
-            look = {"marker": styles.of_model(name)[2], "dash": dash * (len(sides) > 1), "hollow": hollow, "size": 2.8, "width": 1.3}
-            if title in (HEIGHT, LOAD, *FORCES):  # of the wheel
-                total = {m.place["position"]: 0.0 for m in here}
-                for m in here:
-                    total[m.place["position"]] = value(m) + (title != HEIGHT) * total[m.place["position"]]
-                spots = sorted((at[number], sum_) for number, sum_ in total.items())
-                yield (*zip(*spots), {**look, "name": ", ".join([*words, "whole wheel"])})
-                continue
-            for number, contact in enumerate(followed(here)):
-                y = [m.place["y_rail"] for m in contact]
-                span = f"contact at y = {' to '.join(dict.fromkeys(f'{end:.0f}' for end in (min(y), max(y))))} mm on the rail"
-                yield ([at[m.place["position"]] for m in contact], [value(m) for m in contact],
-                       {**look, "colour": PATCH_COLOURS[number % len(PATCH_COLOURS)], "name": ", ".join([*words, span])})
-
-    given = LOAD if "load.vertical_force" in result.inputs else HEIGHT
-    for panel in figure.charts((250, 165), [
-            (title, label, unit, least, curves(title, value)) for title, unit, least, value in PANELS_ALONG
-            if title != given and (title not in FORCES or any(m.has_friction for m in models))]):
-        if panel.title == "normal force":  # so that a transfer of load is seen as one
-            panel.y.limits = (0.0, None)
-    return figure
+def _by_contact(title, value, here, at, look):
+    """The same of a sweep along the way: a line for each contact that moves along, or for the whole wheel."""
+    words = [look["name"]] * bool(look["name"])
+    if title in (HEIGHT, LOAD, *FORCES):  # of the wheel
+        total = {m.place["position"]: 0.0 for m in here}
+        for m in here:
+            total[m.place["position"]] = value(m) + (title != HEIGHT) * total[m.place["position"]]
+        spots = sorted((at[number], sum_) for number, sum_ in total.items())
+        yield (*zip(*spots), {**look, "name": ", ".join([*words, "whole wheel"])})
+        return
+    for number, contact in enumerate(followed(here)):
+        y = [m.place["y_rail"] for m in contact]
+        span = f"contact at y = {' to '.join(dict.fromkeys(f'{end:.0f}' for end in (min(y), max(y))))} mm on the rail"
+        yield ([at[m.place["position"]] for m in contact], [value(m) for m in contact],
+               {**look, "colour": PATCH_COLOURS[number % len(PATCH_COLOURS)], "name": ", ".join([*words, span])})
 
 
 def sweep(result):
-    """Contact point, angle, load, pressure, patch, creepages and forces of both wheels over the positions;
-    None for fewer than 3."""
+    """Contact point, angle, load, pressure, patch, creepages and forces of both wheels over the positions, along the way
+    load, place and pressure of each contact; None for fewer than 3."""
     if len(positions(result)) < 3:
         return None
-    over = along(result)
-    at, label = over.at, over.label
-    if over.is_way:
-        return _sweep_along(result, at, label)
+    over, reference = along(result), reference_of_row(result)
     models = [m for m in result.models if m.points]
-    reference = reference_of_row(result)
-    figure = Figure(3)
+    names, sides = list(dict.fromkeys(m.name for m in models)), {m.place["wheel"] for m in models}
+
+    def look(name, wheel, dash, hollow):
+        words = [styles.label(name)] * (len(names) > 1 or not over.is_way) + [
+            f"{wheel} wheel"] * (len(sides) > 1 or not over.is_way)
+        own = {"marker": styles.of_model(name)[2], "dash": dash * (len(sides) > 1), "width": 1.3} if over.is_way else {
+            **styles.line(name, True), "dash": dash, "width": 1.2}
+        return {**own, "hollow": hollow, "size": 2.8, "name": ", ".join(words)}
 
     def curves(title, value):
-        for name, (wheel, dash, hollow) in itertools.product(dict.fromkeys(m.name for m in models), WHEELS):
-            here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel)]
-            look = {**styles.line(name, True), "name": f"{styles.label(name)}, {wheel} wheel", "dash": dash, "width": 1.2,
-                    "hollow": hollow, "size": 2.8}
-            if (name == reference or title in (PRESSURE, *FORCES)) and (
-                    title not in FORCES or any(m.has_friction for m in here)):
-                yield from ((*zip(*spots), {**look, "joined": joined}) for spots, joined in _row(title, here, at, value) if spots)
+        for name, wheel in itertools.product(names, WHEELS):
+            here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel[0])]
+            if here and (name == reference or title in (PRESSURE, *FORCES)):
+                yield from (_by_contact if over.is_way else _by_patch)(title, value, here, over.at, look(name, *wheel))
 
-    figure.charts((250, 165), [(title, label, unit, least, curves(title, value)) for title, unit, least, value in PANELS])
+    figure, panels = Figure(3), PANELS
+    if over.is_way:
+        given = LOAD if "load.vertical_force" in result.inputs else HEIGHT
+        panels = [panel for panel in PANELS_ALONG if panel[0] != given and (
+            panel[0] not in FORCES or any(m.has_friction for m in models))]
+    for panel in figure.charts((250, 165), [
+            (title, over.label, unit, least, curves(title, value)) for title, unit, least, value in panels]):
+        if over.is_way and panel.title == "normal force":  # so that a transfer of load is seen as one
+            panel.y.limits = (0.0, None)
     return figure
 
 

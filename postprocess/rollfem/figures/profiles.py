@@ -2,11 +2,10 @@
 """Profiles: a profile of wheel or rail with its curvature over y; and a wheel on its rail with the distance between
 them."""
 import math
-import re
 
 import numpy as np
 
-from ..files import read_rows, regular
+from ..files import read_rows
 from ..reader import read_columns
 from .figure import Figure
 from .maps import colour_scale, filled
@@ -92,7 +91,7 @@ def draw_pair(drawn, touching, title):
 
 def _pair_of(path):
     """The arguments of draw_pair from a table of wheel, rail and patches."""
-    title, rows = read_rows(path)
+    title, rows, _ = read_rows(path)
     drawn = {part: np.array([[float(row["y"]), float(row["z"])] for row in rows if row["part"] == part])
              for part in ("rail", "wheel")}
     names = {"y_track": "y", "z_track": "z", "contact_angle": "angle", "rolling_radius": "radius"}
@@ -155,9 +154,7 @@ def draw_sections(title, columns, unit):
 
 def of_table(path):
     """The figure of a table of `rollfem profile`, for one profile, sections along the way or a case's wheel on its rail."""
-    with open(path, encoding="utf-8", opener=regular) as file:
-        unit = re.search(r"^position \[(\w+)\],part", file.read(4000), re.MULTILINE)
-    if unit:
-        return draw_sections(*read_columns(path, "part"), unit[1])
-    pair = "part" in read_rows(path)[1][0]
-    return draw_pair(*_pair_of(path)) if pair else draw_profile(*read_columns(path, "curvature"))
+    units = read_rows(path).units
+    if "position" in units:
+        return draw_sections(*read_columns(path, "part"), units["position"])
+    return draw_pair(*_pair_of(path)) if "part" in units else draw_profile(*read_columns(path, "curvature"))
