@@ -10,12 +10,25 @@
 #include <memory>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <string>
+#include <tuple>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace rollfem::python {
 
 namespace py = pybind11;
 using Shared = std::shared_ptr<Result>;
+
+/// (model, reason, failed) of models without a result.
+using MissingRows = std::vector<std::tuple<std::string, std::string, bool>>;
+using Solved = std::pair<Shared, MissingRows>;
+inline MissingRows missing_rows(const std::vector<Missing>& missing) {
+  MissingRows rows;
+  for (const Missing& one : missing) rows.emplace_back(one.model, one.reason, one.failed);
+  return rows;
+}
 
 /// A result as results.h5 holds it, (attributes, entries, parts) with dictionaries by name, parts
 /// being such tuples. Arrays are views of the result without copies; each keeps the whole result

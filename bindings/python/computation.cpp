@@ -91,8 +91,8 @@ class Computation {
     });
   }
 
-  /// (result, [(model, reason, failed)]); models without a result are listed.
-  py::tuple solve(const Case& input, const std::vector<std::string>& models) {
+  /// Models without a result are listed.
+  Solved solve(const Case& input, const std::vector<std::string>& models) {
     auto result = std::make_shared<Result>();
     result->input = input;
     result->input.models = models;
@@ -101,10 +101,7 @@ class Computation {
       how.go_on = true;
       return modelling::solve(*result, how);
     });
-    py::list without;
-    for (const Missing& one : missing)
-      without.append(py::make_tuple(one.model, one.reason, one.failed));
-    return py::make_tuple(result, without);
+    return {result, missing_rows(missing)};
   }
 
   modelling::Scenes scenes(const Case& input) {

@@ -25,18 +25,14 @@ namespace rollfem::python {
 
 namespace {
 
-/// (result, [(model, reason, failed)]). `go_on`: models that have no result are listed instead of
-/// ending the call.
-py::tuple solved(const Case& input, const std::vector<std::string>& models, py::object callback,
-                 bool go_on) {
+/// `go_on`: models that have no result are listed instead of ending the call.
+Solved solved(const Case& input, const std::vector<std::string>& models, py::object callback,
+              bool go_on) {
   std::vector<Missing> missing;
   const auto result = without_gil(std::move(callback), [&](const Progress& progress) {
     return std::make_shared<Result>(solve(input, models, progress, go_on ? &missing : nullptr));
   });
-  py::list without;
-  for (const Missing& one : missing)
-    without.append(py::make_tuple(one.model, one.reason, one.failed));
-  return py::make_tuple(result, without);
+  return {result, missing_rows(missing)};
 }
 
 /// Python's Ctrl-C handler may not interrupt here; writing is complete or does not happen in any
@@ -101,6 +97,38 @@ void define_progress(py::module_& module) {
       });
 }
 
+/// Cases and results; signatures of what takes and gives them name these classes.
+void define_cases(py::module_& module) {
+  py::class_<Case>(module, "Case")
+      .def_readonly("file", &Case::file)
+      .def_readonly("title", &Case::title)
+      .def_readonly("text", &Case::text)
+      .def_readonly("models", &Case::models)
+      .def_property_readonly("load_points",
+                             [](const Case& input) { return input.rolling.creepages.size(); })
+      .def_readonly("friction_coefficient", &Case::friction_coefficient)
+      .def_property_readonly("has_profiles", &Case::has_profiles)
+      .def_property_readonly(
+          "has_meshes",
+          [](const Case& input) { return !input.wheel.mesh.empty() || !input.rail.mesh.empty(); })
+      .def("curvatures_of_ellipse",
+           [](const Case& input, double a, double b, double force) {
+             const double pressure = 1.5 * force / (contact::pi * a * b);
+             const auto [along, across] = halfspace::hertz_curvatures(
+                 {a, b, pressure, 0.0, force},
+                 contact::combine(input.wheel.material, input.rail.material).contact_modulus);
+             return std::pair(along, across);
+           })
+      .def_property_readonly("doubts",
+                             [](const Case& input) { return contact::implausible_values(input); })
+      .def_property_readonly("neglected", &profiles::neglected_in_files)
+      .def("describe", [](const Case& input) { return rollfem::describe(input); })
+      .def("text_in_folder", &contact::text_in_folder);
+  py::class_<Result, std::shared_ptr<Result>>(module, "Result")
+      .def_readonly("verdict", &Result::verdict)
+      .def(py::pickle(&packed, &unpacked));
+}
+
 }  // namespace
 
 const contact::ModelRegistry& known_models() {
@@ -129,48 +157,20 @@ PYBIND11_MODULE(_core, module) {
     }
   });
   python::define_progress(module);
+  python::define_cases(module);
   python::define_tables(module);
   python::define_computations(module);
   python::define_stress(module);
   python::define_track(module);
-  py::class_<Case>(module, "Case")
-      .def_readonly("file", &Case::file)
-      .def_readonly("title", &Case::title)
-      .def_readonly("text", &Case::text)
-      .def_readonly("models", &Case::models)
-      .def_property_readonly("load_points",
-                             [](const Case& input) { return input.rolling.creepages.size(); })
-      .def_readonly("friction_coefficient", &Case::friction_coefficient)
-      .def_property_readonly("has_profiles", &Case::has_profiles)
-      .def_property_readonly(
-          "has_meshes",
-          [](const Case& input) { return !input.wheel.mesh.empty() || !input.rail.mesh.empty(); })
-      .def("curvatures_of_ellipse",
-           [](const Case& input, double a, double b, double force) {
-             const double pressure = 1.5 * force / (contact::pi * a * b);
-             const auto [along, across] = halfspace::hertz_curvatures(
-                 {a, b, pressure, 0.0, force},
-                 contact::combine(input.wheel.material, input.rail.material).contact_modulus);
-             return std::pair(along, across);
-           })
-      .def_property_readonly("doubts",
-                             [](const Case& input) { return contact::implausible_values(input); })
-      .def_property_readonly("neglected", &profiles::neglected_in_files)
-      .def("describe", [](const Case& input) { return rollfem::describe(input); })
-      .def("text_in_folder", &contact::text_in_folder);
-  py::class_<Result, std::shared_ptr<Result>>(module, "Result")
-      .def_readonly("verdict", &Result::verdict)
-      .def(py::pickle(&python::packed, &python::unpacked));
   module.def("read_case", [](const std::string& file, const std::vector<std::string>& changes) {
     return contact::read_case(file, modelling::known_names(python::known_models()), changes);
   });
   module.def("parse_case", &parse_case);
   module.def("case_of_values", &python::case_of_values);
   // Files of one folder, whole or not at all; those of other commands stay.
-  module.def("write_files",
-             [](const std::string& folder, const std::map<std::string, std::string>& contents) {
-               result::write_together(folder, contents);
-             });
+  module.def("write_files", [](const std::string& folder, const py::dict& contents) {
+    result::write_together(folder, contents.cast<std::map<std::string, std::string>>());
+  });
   module.def("draw", &python::draw);
   module.def("models", &models);
   module.attr("most_threads") = contact::most_threads;

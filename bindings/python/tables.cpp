@@ -85,7 +85,6 @@ std::map<std::string, py::bytes> files_of(const CreepTableReader& reader) {
 }  // namespace
 
 void define_tables(py::module_& module) {
-  module.def("fill_table", &filled);
   py::class_<CreepTableReader>(module, "CreepTable")
       .def(py::init(
           [](const std::string& path) { return CreepTableReader(tables::read_table(path)); }))
@@ -105,6 +104,7 @@ void define_tables(py::module_& module) {
                          double bound, double speed, double xi, double eta, double phi) {
              return reader.physical(a, b, modulus, bound, {xi, eta, phi}, speed);
            }));
+  module.def("fill_table", &filled);
 }
 
 }  // namespace rollfem::python

@@ -38,6 +38,16 @@ void check_profiles(const Case& input, const char* what) {
                      "profiles; do: give wheel.profile, rail.profile and [wheelset]");
 }
 
+/// {name: (unit, meaning)} of what wheelset_of gives.
+py::dict wheelset_columns() {
+  py::dict found;
+  contact::for_members<contact::RigidWheelset>([&](const auto& each) {
+    if constexpr (std::decay_t<decltype(each)>::kept != contact::Kept::within)
+      found[each.name] = py::make_tuple(each.unit, each.meaning);
+  });
+  return found;
+}
+
 /// The columns of wheelset.csv.
 py::dict wheelset_of(const Case& input, double reach, double step) {
   check_profiles(input, "wheelset");
@@ -121,6 +131,7 @@ py::dict profile_of(const Case& input, bool wheel) {
 }  // namespace
 
 void define_track(py::module_& module) {
+  module.def("wheelset_columns", &wheelset_columns);
   module.def("wheelset", &wheelset_of);
   module.def("contact_points", &contact_points_of);
   module.def("profile", &profile_of);

@@ -146,7 +146,7 @@ class Written(Tabular):
     def _store(self, folder: str, report: bool) -> str:
         """Writes the folder; why its report could not be drawn, or empty."""
         from . import _core
-        _core.write_files(folder, self._contents())
+        _core.write_files(folder, dict(self._contents()))
         return _core.draw(os.path.join(folder, self.drawn_from)) if report else ""
 
     def figure(self, name: str | None = None) -> Any:

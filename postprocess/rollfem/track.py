@@ -10,30 +10,18 @@ import numpy as np
 from . import _core, plot
 from .case import Case, CaseLike
 from .errors import InputError
-from .frames import InFile, Tabular, documented, html_table, notes
+from .frames import InFile, Tabular, documented, html_table
+from .point import Named
 from .solving import checked
 
 
-@documented
-class Wheelset(Tabular):
-    """A rigid wheelset over its lateral shift, from the middle to the right; the other side is the mirror image."""
-
-    lateral_shift: Annotated[np.ndarray, "mm", "for conicities and the wavelength it is the amplitude"]
-    roll: Annotated[np.ndarray, "rad"]
-    radius_left: Annotated[np.ndarray, "mm", "rolling radius"]
-    radius_right: Annotated[np.ndarray, "mm", "rolling radius"]
-    radius_difference: Annotated[np.ndarray, "mm", "right less left"]
-    angle_left: Annotated[np.ndarray, "rad", "contact angle"]
-    angle_right: Annotated[np.ndarray, "rad", "contact angle"]
-    y_wheel_left: Annotated[np.ndarray, "mm", "of the contact point on the wheel's profile"]
-    y_wheel_right: Annotated[np.ndarray, "mm", "of the contact point on the wheel's profile"]
-    conicity_harmonic: Annotated[np.ndarray, "-", "equivalent conicity by harmonic linearisation; nan where there is none"]
-    conicity_wave: Annotated[np.ndarray, "-", "that of cones with the same wave (UIC 519, EN 15302); nan where there is none"]
-    wave_length: Annotated[np.ndarray, "mm", "of the free wheelset; nan where it does not oscillate"]
+class Wheelset(Named, Tabular):
+    """A rigid wheelset over its lateral shift, from the middle to the right; the other side is the mirror image. Columns are
+    arrays by name: wheelset.conicity_wave; nan where there is none. For conicities and the wavelength the shift is the
+    amplitude."""
 
     def __init__(self, title: str, columns: dict[str, np.ndarray]) -> None:
-        self.title, self._columns = title, tuple(columns)
-        self.__dict__.update(columns)
+        self.title, self._columns, self._found = title, tuple(columns), columns
 
     def figure(self) -> Any:
         """The figure of `rollfem wheelset`: radii, angles, conicity, wavelength.
@@ -51,8 +39,7 @@ class Wheelset(Tabular):
 
     def _repr_html_(self) -> str:
         step = max(1, round(1.0 / (self.lateral_shift[1] - self.lateral_shift[0])))
-        shown = {name: hint.__metadata__[0] for name, hint in notes(Wheelset).items()
-                 if name.split("_")[0] not in ("roll", "y")}
+        shown = {name: unit for name, (unit, _) in _core.wheelset_columns().items() if name.split("_")[0] not in ("roll", "y")}
         return html_table(repr(self), [f"{name} ({unit})" for name, unit in shown.items()],
                           zip(*(getattr(self, name)[::step] for name in shown)))
 

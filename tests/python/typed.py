@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """mypy on the package, on the notebooks and on the examples of its page, as an editor sees them. Status 77 (skipped)
-without mypy. Call: typed.py SOURCE_FOLDER"""
+without mypy. Call, with rollfem of a build on PYTHONPATH: typed.py SOURCE_FOLDER"""
+import importlib.util
 import os
 import pathlib
 import subprocess
@@ -29,6 +30,7 @@ def main():
     from documented import blocks
     from notebooks import cells
     root = pathlib.Path(sys.argv[1]).resolve()
+    package = pathlib.Path(importlib.util.find_spec("rollfem").origin).parent
     pages = {"page": "".join(code for _, code in blocks((root / "docs/python.md").read_text(encoding="utf-8")))}
     for path in sorted((root / "examples/notebooks").glob("*.ipynb")):
         pages[path.stem] = "\n".join(code for _, code in cells(path))
@@ -37,8 +39,8 @@ def main():
         for name, code in pages.items():
             pathlib.Path(folder, f"{name}.py").write_text(code, encoding="utf-8")
         return subprocess.run(["mypy", "--config-file", f"{folder}/settings", "--cache-dir", f"{folder}/cache",
-                               root / "postprocess/rollfem", *(f"{folder}/{name}.py" for name in pages)],
-                              env={**os.environ, "MYPYPATH": str(root / "postprocess")}, check=False).returncode
+                               package, *(f"{folder}/{name}.py" for name in pages)],
+                              env={**os.environ, "MYPYPATH": str(package.parent)}, check=False).returncode
 
 
 if __name__ == "__main__":

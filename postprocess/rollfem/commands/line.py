@@ -73,17 +73,22 @@ def _doubt(case: _core.Case) -> None:
         warn(doubt)
 
 
+def _drawn(drawing: Callable[[], object], problem: str) -> bool:
+    """Whether something is drawn; otherwise a warning says why not."""
+    try:
+        drawing()
+        return True
+    except (OSError, ImportError) as error:
+        warn(f"{problem}: {error}")
+        return False
+
+
 def _finish(given: Given, made: Files, folder: str, title: str, notes: list[str], write: bool = True) -> bool:
     """Writes and draws what a command has made, and tells of it; false if it is not drawn as wanted."""
     if write:
         _core.write_files(folder, made.contents)
-    wanted, drawn = "no-report" not in given, False
-    if wanted:
-        try:
-            build(folder)
-            drawn = True
-        except (OSError, ImportError) as error:
-            warn(f"the results were written, but the report was not drawn: {error}")
+    wanted = "no-report" not in given
+    drawn = wanted and _drawn(lambda: build(folder), "the results were written, but the report was not drawn")
     if "quiet" not in given:
         where = f"\nresults: {folder}\n" + (f"report:  {os.path.join(folder, made.kind)}.html\n" if drawn else "")
         tell(title + made.text + "".join(f"\n{note}\n" for note in notes) + where)
@@ -345,13 +350,8 @@ def stress(given: Given) -> bool:
     _core.write_files(folder, found.contents)
     if earlier:
         _remove_figures(folder)
-    wanted, drawn = "no-figures" not in given, False
-    if wanted:
-        try:
-            draw(found, folder)
-            drawn = True
-        except OSError as error:
-            warn(f"stresses are written, but figures were not drawn: {error}")
+    wanted = "no-figures" not in given
+    drawn = wanted and _drawn(lambda: draw(found, folder), "stresses are written, but figures were not drawn")
     if "json" not in given and "quiet" not in given:
         tell(f"{found.text}\nstresses: {folder} (stress.csv, stress.json{', stress.html, figures' * drawn})\n")
     return drawn or not wanted

@@ -221,7 +221,7 @@ class Series:
 class Place:
     """The study of one contact: of a case with radii, or of one patch of true profiles. Each has its own limits."""
 
-    creepages: list[tuple[float, float, float]]  #: of the load points
+    creepages: Sequence[Sequence[float]]  #: of the load points
     exact: Values = field(default_factory=dict)  #: Hertz's values, if they are valid
     key: str = ""  #: "left_3_1"; empty with radii
     name: str = ""  #: "left wheel, position 3, patch 1 of 2"
