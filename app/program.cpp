@@ -2,6 +2,7 @@
 #include "app/program.hpp"
 
 #include "app/frame/commands.hpp"
+#include "app/version_text.hpp"
 #include "base/errors.hpp"
 #include "base/text_fields.hpp"
 #include "models/frame/interruption.hpp"
@@ -72,22 +73,13 @@ std::string unknown_option(const CLI::App& program, const std::string& given) {
                      contact::did_you_mean(given, options), contact::listed(options));
 }
 
-/// CLI11's message about a call, reworded for typing errors.
+/// CLI11's message about a call; for an unknown option our own.
 std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error) {
-  std::string text = error.what();
-  if (const std::size_t at = text.find("--");
-      dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && at != std::string::npos)
-    return unknown_option(program, text.substr(at, text.find_first_of(" =\n", at) - at));
-  // "page: schem not in {case-file,models}"
-  const std::size_t words = text.find(": "), set = text.find(" not in {"), end = text.find('}');
-  if (words == std::string::npos || set == std::string::npos || end == std::string::npos)
-    return text;
-  const std::string given = text.substr(words + 2, set - words - 2);
-  const std::string list = text.substr(set + 9, end - set - 9);
-  std::vector<std::string> allowed;
-  for (const std::string_view word : contact::parts_of(list, ",")) allowed.emplace_back(word);
-  return fmt::format("{}: {} is not allowed; {}allowed: {}", text.substr(0, words), given,
-                     contact::did_you_mean(given, allowed), contact::listed(allowed));
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    for (const std::string& word : program.remaining(true))
+      if (word.size() > 2 && word.rfind("--", 0) == 0)
+        return unknown_option(program, word.substr(0, word.find('=')));
+  return error.what();
 }
 
 /// Translates `rollfem help` and `rollfem help run` to `rollfem --help` and `rollfem run --help`,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/frame/commands.hpp"
+#include "app/version_text.hpp"
+
 #include "base/errors.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/program/provenance.hpp"
@@ -41,8 +42,8 @@ std::string version_text() {
   // fftw_version is "fftw-3.3.10-sse2-avx".
   const std::string fftw = std::string(fftw_version).substr(5);
   std::string text =
-      fmt::format("rollfem {} ({})\n", modelling::version(), modelling::commit()) + of_finite_elements() +
-      line("Python module", ROLLFEM_WITH_PYTHON ? "yes" : "no") +
+      fmt::format("rollfem {} ({})\n", modelling::version(), modelling::commit()) +
+      of_finite_elements() + line("Python module", ROLLFEM_WITH_PYTHON ? "yes" : "no") +
       line("libraries",
            fmt::format("Eigen {}.{}.{}, Boost {}.{}.{}, FFTW {}, HDF5 {}.{}.{}, fmt {}.{}.{}, "
                        "nlohmann/json {}.{}.{}, CLI11 {}",

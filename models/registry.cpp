@@ -56,8 +56,7 @@ void check_built(const ModelRegistry& models, const std::vector<std::string>& na
       throw contact::InputError(
           fmt::format("{}: model {} is not in this build, which was made without deal.II; allowed: "
                       "{}; do: choose from these with --model, or build with ROLLFEM_FEM=ON",
-                      asked_by.rfind("--", 0) == 0 ? asked_by + " " + name : asked_by, name,
-                      contact::listed(models.names(&ModelInfo::built))));
+                      asked_by, name, contact::listed(models.names(&ModelInfo::built))));
 }
 
 bool any_parallel(const ModelRegistry& models, const std::vector<std::string>& names) {

@@ -68,16 +68,6 @@ bool is_relative(const Scene& scene, const std::string& name) {
          (name == "approach" || name == "elastic_energy");
 }
 
-/// Quantities of the problem without friction.
-bool is_of_normal_problem(const Quantity& quantity) {
-  const std::string name = quantity.name;
-  for (const char* one :
-       {"normal_force", "max_pressure", "approach", "semi_axis_x", "semi_axis_y", "contact_length",
-        "contact_width", "contact_area", "patch_x_middle", "patch_y_middle"})
-    if (name == one) return true;
-  return false;
-}
-
 /// Quantities found for a prescribed force: the creepage in rolling, otherwise the shift.
 bool is_found(const Scene& scene, const PrescribedForce& force, const std::string& name) {
   const bool shifts = scene.problem == Problem::shift;
@@ -97,7 +87,7 @@ NoBar reason_of(const Scene& scene, const BarRules& rules, const ModelResult& re
   if (is_given(scene, result, k, name)) return NoBar::given;
   // True profiles are approximated by an ellipse, which is not their exact contact.
   const bool exact = rules.hertzian && !scene.has_profiles();
-  if (rules.hertzian && is_of_normal_problem(quantity)) return exact ? NoBar::exact : NoBar::theory;
+  if (rules.hertzian && quantity.member.normal_problem) return exact ? NoBar::exact : NoBar::theory;
   // Without tangential tractions these are exact.
   if (exact && result.points[k].max_traction == 0.0 &&
       (quantity.of_friction() || name == "adhesion_area"))

@@ -24,15 +24,17 @@ struct Note {
   std::string text;
   Severity severity = remark;
 
-  std::string severity_word() const { return severity == warning ? "warning" : "remark"; }
+  friend constexpr const char* word_of(Severity severity) {
+    return severity == warning ? "warning" : "remark";
+  }
 
   static constexpr Listed listed = Listed::as_table;
   static constexpr auto members() {
     using S = Note;
     return std::tuple(
-        member("severity", &S::severity_word, "", "remark or warning"),
+        member("severity", &S::severity, "", "remark or warning"),
         member("about", &S::about, "", "equal where notes of a model differ in their numbers only"),
-        member("text", &S::text, "", "one sentence"), member_within("severity", &S::severity));
+        member("text", &S::text, "", "one sentence"));
   }
 
   bool operator==(const Note& other) const {

@@ -52,6 +52,14 @@ QuantityMember at() {
           }};
 }
 
+/// The same of the problem without friction.
+template <auto... Path>
+QuantityMember normal() {
+  QuantityMember member = at<Path...>();
+  member.normal_problem = true;
+  return member;
+}
+
 using P = PointResult;
 using Scale = ErrorScale;
 using Use = QuantityUse;
@@ -90,7 +98,7 @@ std::vector<Quantity> of_the_motion() {
 std::vector<Quantity> of_the_forces() {
   return {
       {"normal_force", "normal force", "F_z", "N", "normal force, positive in compression",
-       Scale::value, Use::accuracy, at<&P::normal_force>()},
+       Scale::value, Use::accuracy, normal<&P::normal_force>()},
       {"longitudinal_force", "longitudinal force", "F_x", "N",
        "force along x on the wheel; negative for positive xi", Scale::force, Use::stored,
        at<&P::longitudinal_force>()},
@@ -108,7 +116,7 @@ std::vector<Quantity> of_the_forces() {
        at<&P::traction_coefficient>()},
       {"max_pressure", "largest pressure", "p_0", "MPa",
        "largest pressure, positive in compression", Scale::value, Use::accuracy,
-       at<&P::max_pressure>()},
+       normal<&P::max_pressure>()},
       {"max_traction", "largest tangential traction", "|p_t|", "MPa",
        "largest magnitude of the tangential traction", Scale::traction, Use::stored,
        at<&P::max_traction>()},
@@ -122,20 +130,20 @@ std::vector<Quantity> of_the_patch() {
   return {
       {"approach", "approach", "", "mm",
        "approach (penetration): how far the bodies have moved together since first touch",
-       Scale::value, Use::accuracy, at<&P::approach>()},
+       Scale::value, Use::accuracy, normal<&P::approach>()},
       {"semi_axis_x", "semi-axis along x", "a", "mm",
        "half the extent of the patch in x, found below the element size", Scale::value,
-       Use::accuracy, at<&P::semi_axis_x>()},
+       Use::accuracy, normal<&P::semi_axis_x>()},
       {"semi_axis_y", "semi-axis along y", "b", "mm",
        "half the width of the patch, found below the element size", Scale::value, Use::accuracy,
-       at<&P::semi_axis_y>()},
+       normal<&P::semi_axis_y>()},
       {"contact_length", "length of the patch along x", "", "mm", "extent of the patch in x",
-       Scale::value, Use::stored, at<&P::contact_length>()},
+       Scale::value, Use::stored, normal<&P::contact_length>()},
       {"contact_width", "width of the patch along y", "", "mm",
        "extent of the patch across; of a curved one along its surface (arc length)", Scale::value,
-       Use::stored, at<&P::contact_width>()},
+       Use::stored, normal<&P::contact_width>()},
       {"contact_area", "contact area", "", "mm^2", "area of the patch", Scale::value, Use::compared,
-       at<&P::contact_area>()},
+       normal<&P::contact_area>()},
       {"adhesion_area", "adhesion area", "", "mm^2", "area that does not slip", Scale::value,
        Use::stored, at<&P::adhesion_area>()},
       {"patch_count", "patches", "", "-",
@@ -181,11 +189,11 @@ std::vector<Quantity> of_the_solution() {
       {"patch_x_middle", "middle of the patch along x", "", "mm",
        "middle of the extent of the patch in x; with profiles, where the patch is not at the "
        "origin",
-       Scale::none, Use::stored, at<&P::patch_x_middle>()},
+       Scale::none, Use::stored, normal<&P::patch_x_middle>()},
       {"patch_y_middle", "middle of the patch along y", "", "mm",
        "middle of the extent of the patch in y; with profiles, where the patch is not at the "
        "origin",
-       Scale::none, Use::stored, at<&P::patch_y_middle>()},
+       Scale::none, Use::stored, normal<&P::patch_y_middle>()},
       {"vertical_force", "vertical force", "", "N",
        "force along the vertical of the track, friction included; with profiles", Scale::value,
        Use::stored, at<&P::vertical_force>()},

@@ -39,6 +39,7 @@ struct QuantityMember {
   bool may_be_absent;
   std::optional<double> (*get)(const PointResult&);
   void (*set)(PointResult&, double);
+  bool normal_problem = false;  ///< of the problem without friction
 };
 
 struct Quantity {

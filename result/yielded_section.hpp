@@ -6,16 +6,33 @@
 #include "base/members.hpp"
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace rollfem::contact {
 
+/// How a body responds to the passes, or to cycles of several load points.
+enum class YieldVerdict {
+  elastic,            ///< it does not yield
+  elastic_shakedown,  ///< it yields no more
+  plastic_shakedown,  ///< the same closed cycle again and again: the lasting strain falls so fast
+                      ///< that all further cycles together leave at most 5 % of the strain of one
+  ratchetting,        ///< strain grows with every cycle, about as much
+  settling,           ///< it still changes from cycle to cycle
+};
+
+constexpr const char* word_of(YieldVerdict verdict) {
+  constexpr std::array<const char*, 5> words{"elastic", "elastic shakedown", "plastic shakedown",
+                                             "ratchetting", "settling"};
+  return words[static_cast<std::size_t>(verdict)];
+}
+
 /// Streamlines of the section in order of depth, then y (`y` fastest); tensors are xx yy zz xy yz
 /// xz, x along rolling, in the section's own axes.
 struct YieldedSection {
   std::string body;
-  std::string verdict;  ///< a word of yield_verdicts
+  YieldVerdict verdict = YieldVerdict::settling;
   int from_pass = 0, iterations = 0, cycle = 1;
   double increment = 0.0, net_increment = 0.0, cycle_increment = 0.0, cycle_net_increment = 0.0;
   double plastic_strain = 0.0, plastic_work = 0.0, utilisation = 0.0, residual = 0.0;
@@ -64,12 +81,5 @@ struct YieldedSection {
                "plastic displacement of the surface along rolling"));
   }
 };
-
-/// How a body takes the passes, or cycles of several load points: it does not yield; it yields no
-/// more (elastic shakedown); the same closed cycle again and again (plastic shakedown: what lasts
-/// falls so fast that all further cycles together leave at most 5 % of the strain of one); strain
-/// grows with every cycle, about as much (ratchetting); it still changes from cycle to cycle.
-inline constexpr std::array<const char*, 5> yield_verdicts{
-    "elastic", "elastic shakedown", "plastic shakedown", "ratchetting", "settling"};
 
 }  // namespace rollfem::contact

@@ -3,13 +3,15 @@
 
 #include "app/frame/screen.hpp"
 #include "base/errors.hpp"
+#include "base/text_fields.hpp"
 #include "case/reading/case_reader.hpp"
 #include "models/program/provenance.hpp"
 #include "models/registry.hpp"
-#include "result/write/output.hpp"
+#include "result/write/report.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace rollfem::app {
@@ -23,6 +25,15 @@ contact::Case CaseRequest::read(const std::string& file) const {
 fs::path CaseRequest::folder(const std::string& ending) const {
   if (!directory.empty()) return directory;
   return fs::path("results") / (fs::path(case_file).stem().string() + ending);
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto wrong = [words](const std::string& given) -> std::string {
+    if (std::find(words.begin(), words.end(), given) != words.end()) return {};
+    return fmt::format("{} is not allowed; {}allowed: {}", given,
+                       contact::did_you_mean(given, words), contact::listed(words));
+  };
+  return {wrong, fmt::format("{{{}}}", fmt::join(words, ","))};
 }
 
 void add_set_option(CLI::App& command, std::vector<std::string>& changes) {

@@ -42,6 +42,9 @@ struct CaseRequest {
   std::filesystem::path folder(const std::string& ending) const;
 };
 
+/// Allows these words alone, for CLI::Option::check.
+CLI::Validator one_of(const std::vector<std::string>& words);
+
 /// Adds the repeatable option `--set KEY=VALUE`.
 void add_set_option(CLI::App& command, std::vector<std::string>& changes);
 
@@ -87,9 +90,5 @@ void add_convert(CLI::App& program, Call& call);
 void add_report(CLI::App& program, Call& call);
 void add_cache(CLI::App& program, Call& call);
 void add_docs(CLI::App& program, Call& call);
-
-/// What --version prints: version and commit on the first line, then features and the versions of
-/// libraries. Opens the finite-element library, and says why where that fails.
-std::string version_text();
 
 }  // namespace rollfem::app

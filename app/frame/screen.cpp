@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/frame/screen.hpp"
 
-#include "base/text_fields.hpp"
 #include "models/program/provenance.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <iostream>
 #include <streambuf>
-#include <vector>
 
 namespace rollfem::app {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -40,33 +34,10 @@ void print_result(const std::string& json) {
   std::cout.setstate(state);
 }
 
-Json result_head(const std::string& kind) {
+nlohmann::ordered_json result_head(const std::string& kind) {
   return {{"format", 1},
           {"kind", kind},
           {"program", {{"version", modelling::version()}, {"commit", modelling::commit()}}}};
-}
-
-Json columns_of(const std::string& csv) {
-  Json columns = Json::object(), units = Json::object();
-  std::vector<std::string> names;
-  for (contact::TextLines lines(csv); lines.next();) {
-    if (lines.line().empty() || lines.line().front() == '#') continue;
-    const bool heading = names.empty();
-    std::size_t k = 0;
-    for (const std::string_view part : contact::parts_of(lines.line(), ",")) {
-      const std::string cell(part);
-      if (!heading) {
-        columns[names[k++]].push_back(cell.empty() ? Json() : Json(std::stod(cell)));
-        continue;
-      }
-      const std::size_t unit = cell.find(" [");
-      names.push_back(cell.substr(0, unit));
-      columns[names.back()] = Json::array();
-      if (unit != std::string::npos)
-        units[names.back()] = cell.substr(unit + 2, cell.size() - unit - 3);
-    }
-  }
-  return {{"columns", columns}, {"units", units}};
 }
 
 }  // namespace rollfem::app

@@ -179,7 +179,7 @@ void add_docs(CLI::App& program, Call& call) {
                    "schema of case files, for completion and checks in editors; bash, zsh: shell "
                    "completion; man: the manual page")
       ->required()
-      ->check(CLI::IsMember({"case-file", "models", "quantities", "schema", "bash", "zsh", "man"}));
+      ->check(one_of({"case-file", "models", "quantities", "schema", "bash", "zsh", "man"}));
   docs->footer("example: rollfem docs case-file > docs/case-file.md");
   docs->callback([page, &call, &program] { std::cout << page_text(*page, program, call.models); });
 }

@@ -3,7 +3,6 @@
 // figure, with its curvature as the contact sees it.
 #include "app/frame/commands.hpp"
 #include "app/frame/screen.hpp"
-#include "app/input/section_family.hpp"
 #include "base/errors.hpp"
 #include "base/text_fields.hpp"
 #include "case/reading/case_reader.hpp"
@@ -12,11 +11,13 @@
 #include "profiles/profile_curve.hpp"
 #include "profiles/profile_format.hpp"
 #include "profiles/profiles.hpp"
-#include "result/files/result_folder.hpp"
+#include "profiles/section_list.hpp"
+#include "result/files/files_together.hpp"
+#include "result/write/columns.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -29,8 +30,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+using profiles::ListedSections;
+using profiles::PlacedSection;
 using profiles::ProfileCurve;
 using profiles::ProfilePoint;
+using profiles::ProfileRow;
+using result::Columns;
 
 struct ProfileRequest {
   std::string name;       ///< a built-in profile, a profile file, or a case file (.toml)
@@ -129,13 +134,24 @@ std::string list(const ProfileCurve& curve) {
   return text;
 }
 
-std::string table(const NamedProfile& profile) {
-  std::string text = fmt::format("# {}\n", profile.title);
-  text += "s [mm],y [mm],z [mm],angle [deg],curvature [1/mm]\n";
-  for (const profiles::ProfileRow& row : profiles::profile_rows(profile.curve, profile.wheel))
-    text += fmt::format("{:.6f},{:.9f},{:.9f},{:.6f},{:.8g}\n", row.s, row.y, row.z, row.angle,
-                        row.curvature);
-  return text;
+Columns<ProfileRow> profile_columns() {
+  Columns<ProfileRow> columns;
+  const auto add = [&](const char* name, const char* unit, const char* format,
+                       double ProfileRow::*member) {
+    columns.add(name, unit, [format, member](const ProfileRow& row) {
+      return fmt::format(fmt::runtime(format), row.*member);
+    });
+  };
+  add("s", "mm", "{:.6f}", &ProfileRow::s);
+  add("y", "mm", "{:.9f}", &ProfileRow::y);
+  add("z", "mm", "{:.9f}", &ProfileRow::z);
+  add("angle", "deg", "{:.6f}", &ProfileRow::angle);
+  add("curvature", "1/mm", "{:.8g}", &ProfileRow::curvature);
+  return columns;
+}
+
+std::vector<ProfileRow> rows_of(const NamedProfile& profile) {
+  return profiles::profile_rows(profile.curve, profile.wheel);
 }
 
 bool is_wheel(const ProfileRequest& request) {
@@ -219,7 +235,7 @@ nlohmann::ordered_json json_of(const NamedProfile& profile) {
                               {"z", joint.place.z},
                               {"curvature_before", joint.curvature_before},
                               {"curvature_after", joint.place.curvature}});
-  json.update(columns_of(table(profile)));
+  json.update(columns_json(profile_columns(), rows_of(profile)));
   return json;
 }
 
@@ -242,22 +258,122 @@ void tell_pair(const contact::Case& input, const fs::path& folder, Call& call) {
   }
 }
 
+// A family of sections along the way.
+
+std::string steps_of(const std::vector<PlacedSection>& sections) {
+  double least = std::abs(sections[1].position - sections[0].position), largest = least;
+  for (std::size_t k = 2; k < sections.size(); ++k) {
+    const double step = sections[k].position - sections[k - 1].position;
+    least = std::min(least, step);
+    largest = std::max(largest, step);
+  }
+  return largest - least < 1e-6 * largest ? fmt::format("{:.4g}", largest)
+                                          : fmt::format("{:.4g} to {:.4g}", least, largest);
+}
+
+/// Number and positions of the sections, and where their features run.
+std::string sections_text(const ListedSections& family, const std::string& title, bool wheel) {
+  const std::vector<PlacedSection>& sections = family.sections;
+  const PlacedSection &first = sections.front(), &last = sections.back();
+  std::string text = fmt::format("{}\n", title);
+  const auto line = [&](const std::string& what, const std::string& value) {
+    text += fmt::format("  {:<36}{}\n", what, value);
+  };
+  line("sections", fmt::format("{}", sections.size()));
+  line(wheel ? "angles about the axle, rad" : "positions along the track, mm",
+       fmt::format("{:g} to {:g}, {} apart{}", first.position, last.position, steps_of(sections),
+                   family.around ? "; a full turn, which repeats"
+                   : wheel       ? "; beyond these angles the wheel is round"
+                                 : ""));
+  line("between sections", family.spline == profiles::SectionSpline::through
+                               ? "every point follows a cubic spline through them"
+                               : "every point follows a spline that rounds kinks");
+  const std::size_t count = first.features.size();
+  line("features",
+       count == 0 ? "none: points correspond by the fraction of the whole arc length" +
+                        (family.without_features.empty() ? "" : "; " + family.without_features)
+                  : fmt::format("{} {}; their ways, y, z in mm:", count,
+                                family.found ? "found, bends and kinks" : "given in the list"));
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto has = [&](const PlacedSection& section) { return !std::isnan(section.features[k]); };
+    const auto from = std::find_if(sections.begin(), sections.end(), has);
+    if (from == sections.end()) continue;
+    const PlacedSection &start = *from,
+                        &end = *std::find_if(sections.rbegin(), sections.rend(), has);
+    const auto at = [&](const PlacedSection& section) {
+      const profiles::ProfilePoint place = section.curve.at(section.features[k]);
+      return fmt::format("{:9.3f},{:8.3f}", place.y, place.z);
+    };
+    text += fmt::format("    {:<34}{}  -> {}{}\n", k + 1, at(start), at(end),
+                        has(first) && has(last)
+                            ? ""
+                            : fmt::format("  from {:g} to {:g}", start.position, end.position));
+  }
+  return text;
+}
+
+/// A point of a section, or of one that lacks the part.
+struct SectionRow {
+  double position = 0.0;  ///< of the section
+  std::size_t part = 0;   ///< between features, from 1
+  std::optional<ProfilePoint> place = {};
+};
+
+/// All sections: a part has as many points in each, so that equal rows of sections correspond.
+std::vector<SectionRow> section_rows(const ListedSections& family) {
+  constexpr double spacing = 0.5;  // mm
+  std::vector<int> steps(family.sections.front().features.size() + 1, 1);
+  for (const PlacedSection& section : family.sections) {
+    const std::vector<double> ends = ends_of_parts(section);
+    for (std::size_t part = 0; part < steps.size(); ++part)
+      if (const double length = ends[part + 1] - ends[part]; length > 0.0)
+        steps[part] = std::max(steps[part], static_cast<int>(std::ceil(length / spacing)));
+  }
+  std::vector<SectionRow> rows;
+  for (const PlacedSection& section : family.sections) {
+    const std::vector<double> ends = ends_of_parts(section);
+    for (std::size_t part = 0; part < steps.size(); ++part)
+      for (int k = 0; k <= steps[part]; ++k) {
+        const double at = ends[part] + (ends[part + 1] - ends[part]) * k / steps[part];
+        SectionRow& row = rows.emplace_back(SectionRow{section.position, part + 1});
+        if (!std::isnan(at)) row.place = section.curve.at(at);
+      }
+  }
+  return rows;
+}
+
+Columns<SectionRow> section_columns(bool wheel) {
+  Columns<SectionRow> columns;
+  columns.add("position", wheel ? "rad" : "mm",
+              [](const SectionRow& row) { return fmt::format("{:g}", row.position); });
+  columns.add("part", "-", &SectionRow::part);
+  const auto add = [&](const char* name, double ProfilePoint::*member) {
+    columns.add(name, "mm", [member](const SectionRow& row) {
+      return row.place ? fmt::format("{:.6f}", (*row.place).*member) : "";
+    });
+  };
+  add("y", &ProfilePoint::y);
+  add("z", &ProfilePoint::z);
+  return columns;
+}
+
 /// A list of sections: .slcw of a wheel, others of a rail unless --wheel says otherwise.
 void sections(const ProfileRequest& request, const contact::ProfileSource& source, Call& call) {
   const bool wheel = request.wheel || fs::path(source.name).extension() == ".slcw";
   const profiles::ListedSections family = profiles::read_sections(source, wheel, "profile");
   const std::string title = fmt::format("{} {}", wheel ? "wheel" : "rail", source.name);
-  const std::string rows = sections_table(family, title, wheel);
+  const Columns<SectionRow> columns = section_columns(wheel);
+  const std::vector<SectionRow> rows = section_rows(family);
   if (request.json) {
     nlohmann::ordered_json json = result_head("profile");
     json["title"] = title;
     json["features"] = family.sections.front().features.size();
-    json.update(columns_of(rows));
+    json.update(columns_json(columns, rows));
     print_result(json.dump(1));
     if (request.directory.empty()) return;
   }
   const fs::path file = folder_for(request) / "sections.csv";
-  result::replace_file(file, rows);
+  result::replace_file(file, fmt::format("# {}\n{}", title, columns.table(rows)));
   std::cout << sections_text(family, title, wheel);
   draw_and_tell(call, file);
 }
@@ -279,7 +395,8 @@ void profile(const ProfileRequest& request, Call& call) {
       throw contact::InputError(fmt::format(
           "profile: {} is the input and would be overwritten; do: name another folder with -o",
           file.string()));
-    result::replace_file(file, table(profile));
+    result::replace_file(
+        file, fmt::format("# {}\n{}", profile.title, profile_columns().table(rows_of(profile))));
     std::cout << described(profile) << list(profile.curve);
     draw_and_tell(call, file);
   }

@@ -106,7 +106,7 @@ void print(const contact::Case& input, const std::vector<RigidWheelset>& rows) {
   json["title"] = input.title;
   json["contact_distance"] = track::contact_distance(input.track);
   json["rolling_radius"] = input.wheel.rolling_radius;
-  json.update(columns_of(result::rigid_wheelset_csv(rows)));
+  json.update(columns_json(result::rigid_wheelset_columns(), rows));
   print_result(json.dump(1));
 }
 
@@ -133,7 +133,7 @@ void wheelset(const WheelsetRequest& request) {
   if (request.json) print(input, rows);
   if (request.json && request.directory.empty()) return;
   const fs::path folder = request.folder("_wheelset");
-  result::replace_file(folder / "wheelset.csv", result::rigid_wheelset_csv(rows));
+  result::replace_file(folder / "wheelset.csv", result::rigid_wheelset_columns().table(rows));
   tell(request, input, rows);
   std::cout << '\n';
   draw_and_tell(request.call, folder / "wheelset.csv");

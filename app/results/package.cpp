@@ -7,7 +7,7 @@
 #include "models/frame/waiting.hpp"
 #include "models/program/provenance.hpp"
 #include "models/registry.hpp"
-#include "result/write/output.hpp"
+#include "result/write/report.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 #include "app/frame/commands.hpp"
 #include "base/errors.hpp"
 #include "models/program/provenance.hpp"
-#include "result/write/output.hpp"
+#include "result/write/report.hpp"
 
 #include <fmt/format.h>
 

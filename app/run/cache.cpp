@@ -62,7 +62,7 @@ void add_cache(CLI::App& program, Call& /*call*/) {
                              "list or clear the corrections that the model hybrid stores for later "
                              "runs on the same bodies, in $ROLLFEM_CACHE or ~/.cache/rollfem");
   stored->add_option("action", *action, "list (default) or clear")
-      ->check(CLI::IsMember({"list", "clear"}));
+      ->check(one_of({"list", "clear"}));
   stored->footer("example: rollfem cache clear\nAn empty ROLLFEM_CACHE switches the cache off.");
   stored->callback([action] { cache(*action); });
 }

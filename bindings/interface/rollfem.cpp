@@ -10,6 +10,7 @@
 #include "models/solving/solving.hpp"
 #include "result/files/result_folder.hpp"
 #include "result/write/output.hpp"
+#include "result/write/report.hpp"
 
 namespace rollfem {
 

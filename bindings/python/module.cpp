@@ -13,6 +13,7 @@
 #include "profiles/profiles.hpp"
 #include "result/files/files_together.hpp"
 #include "result/write/output.hpp"
+#include "result/write/report.hpp"
 
 #include <algorithm>
 #include <exception>

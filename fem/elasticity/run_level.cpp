@@ -432,7 +432,7 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
   contact::warn_of_steep_friction(level, scene.friction(), result.notes);
   result.points = std::move(level.points);
   for (const contact::YieldedSection& section : result.points.back().yielded)
-    result.notes.push_back({fmt::format("{} of the {}", section.verdict, section.body),
+    result.notes.push_back({fmt::format("{} of the {}", word_of(section.verdict), section.body),
                             verdict_note(section, static_cast<int>(result.points.size()))});
   result.seconds["normal"] += level.normal_seconds;
   result.seconds["tangential"] = level.tangential_seconds;

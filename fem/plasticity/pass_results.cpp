@@ -15,6 +15,7 @@ namespace rollfem::fem {
 namespace {
 
 using contact::YieldedSection;
+using contact::YieldVerdict;
 
 /// Linear between the depths, constant outside.
 double over_depth(const std::vector<double>& depths, const std::vector<double>& values,
@@ -114,19 +115,19 @@ void PassResults::judge(const YieldedBody& after, YieldedSection& section) {
   // What lasts, wherever it is most, summed over all further cycles if it falls on as it does.
   const double still_to_come =
       passes_ > cycle_ && fall > 0.0 ? net_increment_ * net_increment_ / fall : contact::infinity;
-  std::string verdict = "settling";
+  YieldVerdict verdict = YieldVerdict::settling;
   if (!cycle_ended())
-    verdict = verdict_.empty() ? verdict : verdict_;
+    verdict = verdict_.value_or(verdict);
   else if (section.plastic_strain == 0.0)
-    verdict = "elastic";
+    verdict = YieldVerdict::elastic;
   else if (increment_ <= nothing * yield_strain)
-    verdict = "elastic shakedown";
+    verdict = YieldVerdict::elastic_shakedown;
   else if (net_increment_ <= nothing * yield_strain ||
            std::max(net_increment_, still_to_come) <= closed * increment_)
-    verdict = "plastic shakedown";
+    verdict = YieldVerdict::plastic_shakedown;
   else if (passes_ > 2 * cycle_ && change <= steady * increment_ &&
            std::abs(fall) <= same * net_increment_)
-    verdict = "ratchetting";
+    verdict = YieldVerdict::ratchetting;
   if (verdict != verdict_) from_pass_ = passes_;
   verdict_ = section.verdict = verdict;
   section.from_pass = from_pass_;
@@ -163,15 +164,15 @@ void PassResults::fill_section(const YieldedBody& after, YieldedSection& section
 
 std::string verdict_note(const YieldedSection& section, int passes) {
   std::string text = fmt::format("the {} after {} pass{}: {}", section.body, passes,
-                                 passes == 1 ? "" : "es", section.verdict);
+                                 passes == 1 ? "" : "es", word_of(section.verdict));
   if (section.from_pass < passes) text += fmt::format(" since pass {}", section.from_pass);
   const std::string cycle =
       section.cycle == 1 ? "pass" : fmt::format("cycle of {} points", section.cycle);
-  if (section.verdict == "ratchetting" || section.verdict == "plastic shakedown")
-    text += fmt::format(", {}{:.2g} of lasting plastic strain a {}",
-                        section.verdict == "ratchetting" ? "" : "at most ",
+  const bool grows = section.verdict == YieldVerdict::ratchetting;
+  if (grows || section.verdict == YieldVerdict::plastic_shakedown)
+    text += fmt::format(", {}{:.2g} of lasting plastic strain a {}", grows ? "" : "at most ",
                         section.cycle_net_increment, cycle);
-  else if (section.verdict == "settling")
+  else if (section.verdict == YieldVerdict::settling)
     text += fmt::format(
         ", {:.2g} of plastic strain in the last {}, {:.2g} of it lasting: more passes will tell",
         section.cycle_increment, cycle, section.cycle_net_increment);

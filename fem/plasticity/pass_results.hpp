@@ -48,7 +48,7 @@ class PassResults {
   std::vector<PlasticState> cycle_start_;  ///< streamlines before the cycle
   double increment_ = 0.0;                 ///< of the last cycle
   double net_increment_ = 0.0;
-  std::string verdict_;
+  std::optional<contact::YieldVerdict> verdict_;  ///< none before the first pass
   int from_pass_ = 0;
 };
 

@@ -21,7 +21,7 @@ namespace {
 using contact::InputError;
 
 /// Version of the folder and its records; raise it when result/record.cpp changes.
-constexpr int format = 7;
+constexpr int format = 8;
 
 /// Less work than this is not worth disk access.
 constexpr auto grace = std::chrono::milliseconds(500);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A table for spreadsheets: each column is its heading, with unit, and its cell in a row.
+// A table for spreadsheets: each column is its name, its unit and its cell in a row.
 #pragma once
 
 #include "base/members.hpp"
@@ -25,72 +25,72 @@ std::string csv_cell(const std::optional<Value>& value) {
   return value ? fmt::format("{}", *value) : std::string();
 }
 
-/// "max_pressure [MPa]"
-inline std::string heading(const std::string& name, const std::string& unit) {
-  return name + " [" + unit + "]";
-}
-
 template <class Row>
 class Columns {
  public:
+  struct Column {
+    std::string name, unit;  ///< unit: "-" of a number without one; empty: not a number
+    std::function<std::string(const Row&)> cell;
+    /// "max_pressure [MPa]"
+    std::string head() const { return unit.empty() ? name : name + " [" + unit + "]"; }
+  };
+  const std::vector<Column>& all() const { return all_; }
+
   /// `cell`: a number or a text of a row, or one that may be absent.
   template <class Cell>
-  void add(std::string head, Cell cell) {
-    heads_.push_back(std::move(head));
-    cells_.push_back(
-        [cell = std::move(cell)](const Row& row) { return csv_cell(std::invoke(cell, row)); });
+  void add(std::string name, std::string unit, Cell cell) {
+    all_.push_back({std::move(name), std::move(unit), [cell = std::move(cell)](const Row& row) {
+                      return csv_cell(std::invoke(cell, row));
+                    }});
   }
   /// A column for each member of a struct that a row has, by `whole_of(row)`.
   template <class Whole, class Of>
   void add_members(const Of& whole_of) {
     contact::for_members<Whole>([&](const auto& each) {
       if constexpr (std::decay_t<decltype(each)>::kept != contact::Kept::within)
-        add(*each.unit == '\0' ? each.name : heading(each.name, each.unit),
-            [part = each.part, whole_of](const Row& row) {
-              return std::invoke(part, std::invoke(whole_of, row));
-            });
+        add(each.name, each.unit, [part = each.part, whole_of](const Row& row) {
+          return std::invoke(part, std::invoke(whole_of, row));
+        });
     });
   }
 
   /// The columns of another table behind these, of the part of a row that it is about.
   template <class Other, class Of>
   void append(const Columns<Other>& others, const Of& part_of) {
-    for (std::size_t k = 0; k < others.heads_.size(); ++k)
-      add(others.heads_[k], [cell = others.cells_[k], part_of](const Row& row) {
-        return cell(std::invoke(part_of, row));
-      });
+    for (const auto& other : others.all())
+      add(other.name, other.unit,
+          [cell = other.cell, part_of](const Row& row) { return cell(std::invoke(part_of, row)); });
   }
   void append(const Columns& others) {
     append(others, [](const Row& row) -> const Row& { return row; });
   }
 
   std::string head() const {
-    return joined(heads_, [](const std::string& head) { return head; });
+    return joined([](const Column& column) { return column.head(); });
   }
   std::string line(const Row& row) const {
-    return joined(cells_, [&](const auto& cell) { return cell(row); });
+    return joined([&](const Column& column) { return column.cell(row); });
   }
   std::string lines(const std::vector<Row>& rows) const {
     std::string text;
     for (const Row& row : rows) text += line(row) + '\n';
     return text;
   }
+  /// Head and rows.
+  std::string table(const std::vector<Row>& rows) const { return head() + '\n' + lines(rows); }
 
  private:
-  template <class Parts, class Text>
-  static std::string joined(const Parts& parts, const Text& text_of) {
+  template <class Text>
+  std::string joined(const Text& text_of) const {
     std::string text;
-    for (const auto& part : parts) {
-      if (&part != &parts.front()) text += ',';
-      text += text_of(part);
+    for (const Column& column : all_) {
+      if (&column != &all_.front()) text += ',';
+      text += text_of(column);
     }
     return text;
   }
 
-  template <class Other>
-  friend class Columns;
-  std::vector<std::string> heads_;
-  std::vector<std::function<std::string(const Row&)>> cells_;
+  std::vector<Column> all_;
 };
 
 }  // namespace rollfem::result

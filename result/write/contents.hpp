@@ -60,4 +60,9 @@ Tree point_tree(const contact::ModelResult& model, std::size_t number, bool with
 
 Tree place_tree(const contact::ContactPlace& place);
 
+/// Throws std::logic_error naming the field if the record holds a number that is not finite, a
+/// field that does not fit its grid, or a model name that is empty, repeated or not a file name.
+/// Such a result is a defect of its model and must not reach a file.
+void check_record(const RunRecord& run);
+
 }  // namespace rollfem::result

@@ -43,8 +43,8 @@ std::vector<Line> lines_of(const RunRecord& run) {
 
 Columns<Line> model_and_point() {
   Columns<Line> columns;
-  columns.add("model", [](const Line& line) { return line.model->name; });
-  columns.add("point", [](const Line& line) { return line.number + 1; });
+  columns.add("model", "", [](const Line& line) { return line.model->name; });
+  columns.add("point", "", [](const Line& line) { return line.number + 1; });
   return columns;
 }
 
@@ -53,9 +53,9 @@ Columns<Line> first_columns(const RunRecord& run) {
   Columns<Line> columns;
   if (std::any_of(run.models.begin(), run.models.end(),
                   [](const ModelResult& model) { return model.place.has_value(); })) {
-    columns.add("wheel", [](const Line& line) { return line.place().side(); });
-    columns.add("position", [](const Line& line) { return line.place().position; });
-    columns.add("patch", [](const Line& line) { return line.place().patch; });
+    columns.add("wheel", "", [](const Line& line) { return line.place().side(); });
+    columns.add("position", "", [](const Line& line) { return line.place().position; });
+    columns.add("patch", "", [](const Line& line) { return line.place().patch; });
   }
   columns.append(model_and_point());
   return columns;
@@ -68,7 +68,7 @@ bool may_have_bar(const Quantity& quantity) {
 }
 
 void add_value(Columns<Line>& columns, const Quantity& quantity) {
-  columns.add(heading(quantity.name, quantity.unit),
+  columns.add(quantity.name, quantity.unit,
               [&quantity](const Line& line) { return quantity.value(line.point()); });
 }
 
@@ -81,14 +81,14 @@ std::string bar_cell(const PointResult& point, const std::string& name) {
 }
 
 void add_bar(Columns<Line>& columns, const Quantity& quantity) {
-  columns.add(heading(std::string("error_estimate ") + quantity.name, quantity.unit),
+  columns.add(std::string("error_estimate ") + quantity.name, quantity.unit,
               [name = std::string(quantity.name)](const Line& line) {
                 return bar_cell(line.point(), name);
               });
 }
 
 void add_model_error(Columns<Line>& columns, const Quantity& quantity) {
-  columns.add(heading(std::string("model_error ") + quantity.name, quantity.unit),
+  columns.add(std::string("model_error ") + quantity.name, quantity.unit,
               [name = std::string(quantity.name)](const Line& line) -> std::optional<double> {
                 const auto error = line.point().model_error.find(name);
                 if (error == line.point().model_error.end()) return {};
@@ -140,7 +140,7 @@ std::string creep_curve_csv(const RunRecord& run) {
   for (const auto add : {add_bar, add_model_error})
     for (const Quantity& quantity : contact::quantities())
       if (may_have_bar(quantity)) add(columns, quantity);
-  return columns.head() + '\n' + columns.lines(lines_of(run));
+  return columns.table(lines_of(run));
 }
 
 namespace {
@@ -155,13 +155,13 @@ const Columns<Below>& below_columns() {
   static const Columns<Below> all = [] {
     using F = contact::SubsurfaceField;
     Columns<Below> columns;
-    columns.add("distance [mm]", [](const Below& below) {
+    columns.add("distance", "mm", [](const Below& below) {
       const auto &at = below.field->points[below.k], &from = below.field->points.front();
       return std::hypot(at[0] - from[0], at[1] - from[1], at[2] - from[2]);
     });
     const auto add = [&](auto member, const char* unit, std::initializer_list<const char*> names) {
       for (std::size_t c = 0; c < names.size(); ++c)
-        columns.add(heading(names.begin()[c], unit),
+        columns.add(names.begin()[c], unit,
                     [member, c](const Below& below) { return (below.field->*member)[below.k][c]; });
     };
     add(&F::points, "mm", {"x", "y", "z"});
@@ -176,7 +176,7 @@ const Columns<Below>& below_columns() {
              {"principal_1", [](const Stress& stress) { return contact::principal(stress)[0]; }},
              {"principal_2", [](const Stress& stress) { return contact::principal(stress)[1]; }},
              {"principal_3", [](const Stress& stress) { return contact::principal(stress)[2]; }}})
-      columns.add(heading(measure.name, "MPa"), [value = measure.value](const Below& below) {
+      columns.add(measure.name, "MPa", [value = measure.value](const Below& below) {
         return value(Stress::from_array(below.field->stress[below.k]));
       });
     return columns;
@@ -189,8 +189,8 @@ const Columns<Below>& below_columns() {
 std::string subsurface_csv(const RunRecord& run) {
   using InSet = std::pair<std::size_t, Below>;
   Columns<InSet> columns;
-  columns.add("set", [](const InSet& row) { return row.first; });
-  columns.add("body", [](const InSet& row) { return row.second.field->body(); });
+  columns.add("set", "", [](const InSet& row) { return row.first; });
+  columns.add("body", "", [](const InSet& row) { return row.second.field->body(); });
   columns.append(below_columns(), &InSet::second);
   return table_of_parts(run, columns, [](const Line& line) {
     std::vector<InSet> rows;
@@ -213,25 +213,26 @@ std::string contacts_csv(const RunRecord& run) {
   columns.add_members<contact::ContactPlace>(
       [](const Line& line) -> const contact::ContactPlace& { return line.place(); });
   for (const WayScalar& way : ways_of(run.input))
-    columns.add(heading(way.name, way.unit),
+    columns.add(way.name, way.unit,
                 [&run, way](const Line& line) { return way.at(run.input, line.place().position); });
   columns.append(model_and_point());
   for (const char* name : main_results) add_value(columns, contact::quantity_named(name));
-  columns.add("contact_elements [-]",
+  columns.add("contact_elements", "-",
               [](const Line& line) { return line.model->contact_elements; });
   for (const char* name : main_results) add_bar(columns, contact::quantity_named(name));
   std::vector<Line> lines;
   for (const Line& line : lines_of(run))
     if (line.model->place) lines.push_back(line);
-  return lines.empty() ? "" : columns.head() + '\n' + columns.lines(lines);
+  return lines.empty() ? "" : columns.table(lines);
 }
 
 std::string patches_csv(const RunRecord& run) {
   using Region = std::pair<std::size_t, contact::PatchPart>;
   Columns<Region> columns;
-  columns.add("region [-]", &Region::first);
+  columns.add("region", "-", &Region::first);
   columns.add_members<contact::PatchPart>(&Region::second);
-  columns.add("error_estimate", [](const Region&) { return word_of(contact::NoBar::one_grid); });
+  columns.add("error_estimate", "",
+              [](const Region&) { return word_of(contact::NoBar::one_grid); });
   return table_of_parts(run, columns, [](const Line& line) {
     std::vector<Region> regions;
     if (line.point().patch_count > 1)
@@ -247,12 +248,12 @@ std::string pass_work_csv(const RunRecord& run) {
     std::string bar;
   };
   Columns<Row> columns;
-  columns.add("y [mm]", &Row::y);
-  columns.add("y_wheel [mm]", &Row::y_wheel);
-  columns.add("y_rail [mm]", &Row::y_rail);
-  columns.add("width [mm]", &Row::width);
-  columns.add("pass_work [N/mm]", &Row::work);
-  columns.add("error_estimate [N/mm]", &Row::bar);
+  columns.add("y", "mm", &Row::y);
+  columns.add("y_wheel", "mm", &Row::y_wheel);
+  columns.add("y_rail", "mm", &Row::y_rail);
+  columns.add("width", "mm", &Row::width);
+  columns.add("pass_work", "N/mm", &Row::work);
+  columns.add("error_estimate", "N/mm", &Row::bar);
   return table_of_parts(run, columns, [](const Line& line) {
     const Field work = contact::pass_work(line.model->grid, line.point());
     const contact::ProfileRows& at = line.model->rows;
@@ -284,14 +285,14 @@ std::string path_csv(const RunRecord& run, Path path) {
   Columns<Row> columns;
   for (const char* name : {"longitudinal_creepage", "lateral_creepage", "spin"}) {
     const Quantity& motion = contact::quantity_named(name);
-    columns.add(heading(name, motion.unit),
+    columns.add(name, motion.unit,
                 [&motion](const Row& row) { return motion.value(row.line->point()); });
   }
-  columns.add(path == Path::x ? "x [mm]" : "y [mm]", [](const Row& row) {
+  columns.add(path == Path::x ? "x" : "y", "mm", [](const Row& row) {
     return row.path == Path::x ? row.grid().x(row.k) : row.grid().y(row.k);
   });
   for (const contact::PointField& field : contact::point_fields())
-    columns.add(heading(field.name, field.unit), [&field](const Row& row) {
+    columns.add(field.name, field.unit, [&field](const Row& row) {
       return row.mean(field.value(row.line->point().fields));
     });
   std::vector<int> across;

@@ -39,7 +39,7 @@ std::string wheelset_csv(const RunRecord& run);
 
 /// The rigid wheelset over its lateral shift, written by `rollfem wheelset` and by a run beside its
 /// wheelset.csv.
-std::string rigid_wheelset_csv(const std::vector<RigidWheelset>& rows);
+const Columns<RigidWheelset>& rigid_wheelset_columns();
 
 /// The regions of contacts with several regions; empty if there are none.
 std::string patches_csv(const RunRecord& run);

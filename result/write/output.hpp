@@ -93,24 +93,4 @@ std::string results_hdf5(const RunRecord& run);
 /// files stay. A number that is not finite throws std::logic_error.
 void write_results(const std::string& directory, const RunRecord& run);
 
-/// Runs the plotting program on output of rollfem: the folder of a run, a comparison, a study or a
-/// table; stress.json; or the table NAME.csv of a profile or a wheelset, whose figure is NAME.svg.
-/// Returns one line on failure, empty on success. Longer output of the program goes to report.log
-/// in the folder. Results stay in any case. `script_directory` is the Python package
-/// rollfem or the folder that holds it. Python is taken from the environment variable
-/// ROLLFEM_PYTHON, else from the virtual environment that holds the package, else /usr/bin/python3,
-/// else python3 on PATH; it imports no module from the current folder.
-std::string make_report(const std::string& path, const std::string& script_directory);
-
-/// Runs `python3 -m rollfem WORDS` in place of this program. Returns why, if that fails.
-std::string become_package(const std::vector<std::string>& words,
-                           const std::string& script_directory);
-
-// Checks that every writer relies on: sizes that fit the grid, names usable as paths, no NaN.
-
-/// Throws std::logic_error naming the field if the record holds a number that is not finite, a
-/// field that does not fit its grid, or a model name that is empty, repeated or not a file name.
-/// Such a result is a defect of its model and must not reach a file.
-void check_record(const RunRecord& run);
-
 }  // namespace rollfem::result

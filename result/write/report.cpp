@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Runs the Python package: on a result folder, or for a whole command.
-#include "result/write/output.hpp"
+#include "result/write/report.hpp"
 
 #include <fmt/core.h>
 

@@ -54,8 +54,8 @@ struct Row {
 
 /// The columns of one wheel.
 void add_wheel(Columns<Row>& columns, const std::string& side, WheelAt Row::*wheel) {
-  const auto add = [&](const std::string& head, auto value) {
-    columns.add(side + ' ' + head, [wheel, value](const Row& row) -> std::optional<double> {
+  const auto add = [&](const char* name, const char* unit, auto value) {
+    columns.add(side + ' ' + name, unit, [wheel, value](const Row& row) -> std::optional<double> {
       const WheelAt& at = row.*wheel;
       if (!at.main) return {};
       return std::invoke(value, at);
@@ -68,17 +68,17 @@ void add_wheel(Columns<Row>& columns, const std::string& side, WheelAt Row::*whe
   const auto of_point = [](auto member) {
     return [member](const WheelAt& at) { return at.main->points[at.point].*member; };
   };
-  add("patches [-]", &WheelAt::patches);
-  add("rolling_radius [mm]", of_place(&contact::ContactPlace::rolling_radius));
-  add("contact_angle [rad]", of_place(&contact::ContactPlace::contact_angle));
-  add("contact_length [mm]", of_point(&P::contact_length));
-  add("contact_width [mm]", of_point(&P::contact_width));
-  add("contact_area [mm2]", &WheelAt::area);
-  add("max_pressure [MPa]", &WheelAt::max_pressure);
-  add("vertical_force [N]", &WheelAt::vertical_force);
-  add("longitudinal_force [N]", &WheelAt::longitudinal_force);
-  add("lateral_force_track [N]", &WheelAt::lateral_force_track);
-  add("loaded_height [mm]", of_point(&P::loaded_height));
+  add("patches", "-", &WheelAt::patches);
+  add("rolling_radius", "mm", of_place(&contact::ContactPlace::rolling_radius));
+  add("contact_angle", "rad", of_place(&contact::ContactPlace::contact_angle));
+  add("contact_length", "mm", of_point(&P::contact_length));
+  add("contact_width", "mm", of_point(&P::contact_width));
+  add("contact_area", "mm2", &WheelAt::area);
+  add("max_pressure", "MPa", &WheelAt::max_pressure);
+  add("vertical_force", "N", &WheelAt::vertical_force);
+  add("longitudinal_force", "N", &WheelAt::longitudinal_force);
+  add("lateral_force_track", "N", &WheelAt::lateral_force_track);
+  add("loaded_height", "mm", of_point(&P::loaded_height));
 }
 
 Columns<Row> wheelset_columns(const RunRecord& run) {
@@ -86,27 +86,27 @@ Columns<Row> wheelset_columns(const RunRecord& run) {
   const auto of_position = [](std::vector<double> contact::Wheelset::*list) {
     return [list](const Row& row) { return (row.run->input.wheelset.*list)[row.position]; };
   };
-  columns.add("position [-]", [](const Row& row) { return row.position + 1; });
-  columns.add("lateral_shift [mm]", of_position(&contact::Wheelset::lateral_shift));
-  columns.add("yaw [rad]", of_position(&contact::Wheelset::yaw));
+  columns.add("position", "-", [](const Row& row) { return row.position + 1; });
+  columns.add("lateral_shift", "mm", of_position(&contact::Wheelset::lateral_shift));
+  columns.add("yaw", "rad", of_position(&contact::Wheelset::yaw));
   for (const WayScalar& way : ways_of(run.input))
-    columns.add(heading(way.name, way.unit), of_position(way.list));
-  columns.add("model", &Row::model);
-  columns.add("point", [](const Row& row) { return row.point + 1; });
+    columns.add(way.name, way.unit, of_position(way.list));
+  columns.add("model", "", &Row::model);
+  columns.add("point", "", [](const Row& row) { return row.point + 1; });
   add_wheel(columns, "left", &Row::left);
   add_wheel(columns, "right", &Row::right);
-  columns.add("radius_difference [mm]",
+  columns.add("radius_difference", "mm",
               [](const Row& row) { return loaded_radius_difference(row.left, row.right); });
-  const auto add_rigid = [&](const char* head, auto member) {
-    columns.add(head, [member](const Row& row) -> std::optional<double> {
+  const auto add_rigid = [&](const char* name, const char* unit, auto member) {
+    columns.add(name, unit, [member](const Row& row) -> std::optional<double> {
       if (!row.rigid) return {};
       return std::invoke(member, *row.rigid);
     });
   };
-  add_rigid("rigid_radius_difference [mm]", &RigidWheelset::radius_difference);
-  add_rigid("conicity_harmonic [-]", &RigidWheelset::conicity_harmonic);
-  add_rigid("conicity_wave [-]", &RigidWheelset::conicity_wave);
-  add_rigid("wave_length [mm]", &RigidWheelset::wave_length);
+  add_rigid("rigid_radius_difference", "mm", &RigidWheelset::radius_difference);
+  add_rigid("conicity_harmonic", "-", &RigidWheelset::conicity_harmonic);
+  add_rigid("conicity_wave", "-", &RigidWheelset::conicity_wave);
+  add_rigid("wave_length", "mm", &RigidWheelset::wave_length);
   return columns;
 }
 
@@ -208,14 +208,16 @@ std::string wheelset_csv(const RunRecord& run) {
         if (!run.wheelset.empty()) row.rigid = run.wheelset[p];
         rows.push_back(std::move(row));
       }
-  const Columns<Row> columns = wheelset_columns(run);
-  return columns.head() + '\n' + columns.lines(rows);
+  return wheelset_columns(run).table(rows);
 }
 
-std::string rigid_wheelset_csv(const std::vector<RigidWheelset>& rows) {
-  Columns<RigidWheelset> columns;
-  columns.add_members<RigidWheelset>([](const auto& row) -> const auto& { return row; });
-  return columns.head() + '\n' + columns.lines(rows);
+const Columns<RigidWheelset>& rigid_wheelset_columns() {
+  static const Columns<RigidWheelset> columns = [] {
+    Columns<RigidWheelset> all;
+    all.add_members<RigidWheelset>([](const auto& row) -> const auto& { return row; });
+    return all;
+  }();
+  return columns;
 }
 
 }  // namespace rollfem::result

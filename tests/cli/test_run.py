@@ -173,5 +173,5 @@ def test_creepages_found_for_a_force_are_tabulated_and_give_the_force_back(rollf
 def test_fem_in_a_build_without_it_is_an_error_not_silence(rollfem):
     file = rollfem.case({"models": ["fem"]} | SMALL)
     rollfem.refuses("run", file, says="case.toml: models: model fem is not in this build")
-    rollfem.refuses("run", file, "--model", "fem", says="--model fem: model fem is not in this build")
+    rollfem.refuses("run", file, "--model", "fem", says="--model: model fem is not in this build")
     assert rollfem.made() == []

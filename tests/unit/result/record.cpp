@@ -30,7 +30,7 @@ contact::PointResult full_point() {
   point.stress_maxima = {{"rail", "tresca", 300.0, {0.0, 1.0, -2.0}}};
   contact::YieldedSection rail;
   rail.body = "rail";
-  rail.verdict = "settling";
+  rail.verdict = contact::YieldVerdict::ratchetting;
   rail.increment = 1e-3;
   rail.across = 1;
   rail.down = 2;

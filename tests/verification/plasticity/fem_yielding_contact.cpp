@@ -45,7 +45,7 @@ TEST(FemYieldingContact, OfStrongSteelIsElasticToTheLastDigit) {
   const PointResult elastic = solved(input, cell).points.front();
   EXPECT_EQ(yielding.max_pressure, elastic.max_pressure);
   EXPECT_EQ(yielding.approach, elastic.approach);
-  EXPECT_EQ(yielding.yielded.front().verdict, "elastic");
+  EXPECT_EQ(yielding.yielded.front().verdict, contact::YieldVerdict::elastic);
   EXPECT_EQ(yielding.plastic_strain.value(), 0.0);
   EXPECT_EQ(yielding.groove_depth.value(), 0.0);
   EXPECT_LT(yielding.yielded.front().utilisation, 1e-3);

@@ -11,6 +11,7 @@
 namespace {
 
 using contact::YieldedSection;
+using contact::YieldVerdict;
 
 constexpr double shear_yield = 300.0;
 
@@ -54,15 +55,16 @@ std::vector<std::vector<YieldedSection>> judged(double friction, double back, in
 // none. Judged pass by pass, the last strain always lasts.
 TEST(PassResults, AlternatingFrictionIsPlasticShakedownOverItsCycle) {
   const auto sections = judged(0.3, -0.3, 6, {2, 1});
-  const std::array<const char*, 6> verdicts{"settling",          "settling",
-                                            "settling",          "plastic shakedown",
-                                            "plastic shakedown", "plastic shakedown"};
+  const std::array<YieldVerdict, 6> verdicts{
+      YieldVerdict::settling,          YieldVerdict::settling,
+      YieldVerdict::settling,          YieldVerdict::plastic_shakedown,
+      YieldVerdict::plastic_shakedown, YieldVerdict::plastic_shakedown};
   for (std::size_t pass = 0; pass < verdicts.size(); ++pass) {
     SCOPED_TRACE(pass + 1);
     const YieldedSection &of_two = sections[0][pass], &of_one = sections[1][pass];
     EXPECT_EQ(of_two.verdict, verdicts[pass]);
     EXPECT_EQ(of_two.from_pass, pass < 3 ? 1 : 4);
-    EXPECT_EQ(of_one.verdict, "settling");
+    EXPECT_EQ(of_one.verdict, YieldVerdict::settling);
     EXPECT_EQ(of_one.cycle_increment, of_one.increment);
     EXPECT_EQ(of_one.cycle_net_increment, of_one.net_increment);
     EXPECT_EQ(of_two.increment, of_one.increment);
@@ -87,19 +89,19 @@ TEST(PassResults, AlternatingFrictionIsPlasticShakedownOverItsCycle) {
 TEST(PassResults, CyclesOfEqualPassesHaveTheVerdictOfEach) {
   const auto sections = judged(0.3, 0.3, 4, {2, 1});
   const YieldedSection &of_two = sections[0][3], &of_one = sections[1][3];
-  EXPECT_EQ(of_one.verdict, "plastic shakedown");
+  EXPECT_EQ(of_one.verdict, YieldVerdict::plastic_shakedown);
   EXPECT_EQ(of_two.verdict, of_one.verdict);
   EXPECT_NEAR(of_two.cycle_increment / of_one.increment, 2.0, 0.02);
   // A tenth of the strain of the second pass lasts, and half as much of the third.
-  EXPECT_EQ(sections[1][1].verdict, "settling");
+  EXPECT_EQ(sections[1][1].verdict, YieldVerdict::settling);
 }
 
 // Steel that does not harden flows on by about the same strain above the limit of shakedown.
 TEST(PassResults, SteadyFlowIsRatchettingAndItsRateIsTold) {
   const auto passes = judged(0.2, 0.2, 7, {1}, 0.0, 4.0).front();
   const YieldedSection &before = passes[5], &last = passes[6];
-  EXPECT_EQ(passes[1].verdict, "settling");
-  EXPECT_EQ(last.verdict, "ratchetting");
+  EXPECT_EQ(passes[1].verdict, YieldVerdict::settling);
+  EXPECT_EQ(last.verdict, YieldVerdict::ratchetting);
   EXPECT_NEAR(last.net_increment / before.net_increment, 1.0, 0.1);
   EXPECT_TRUE(says(fem::verdict_note(last, 7),
                    fmt::format("{:.2g} of lasting plastic strain a pass", last.net_increment)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The Python that draws is Debian's or that of a virtual environment, and never one of the user's
 // folder. What it draws: tests/cli/test_figures.py.
-#include "result/write/output.hpp"
+#include "result/write/report.hpp"
 
 #include "support/places.hpp"
 #include "support/temporary_folder.hpp"
