@@ -105,7 +105,7 @@ void share_cores(Call& call) {
 }
 
 int execute(int argc, char** argv, const contact::ModelRegistry& models) {
-  Call call{models, fmt::format("{}", fmt::join(argv, argv + argc, " ")), argc, argv};
+  Call call{models, fmt::format("{}", fmt::join(argv, argv + argc, " "))};
   CLI::App program("rollfem: rolling contact of wheel and rail by half-spaces and finite elements",
                    "rollfem");
   program.set_version_flag("--version", version_text, "version, features and libraries");
@@ -147,7 +147,7 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
 
 int run_program(int argc, char** argv, const contact::ModelRegistry& models) {
   guard_outputs();
-  modelling::tell_of_interruptions();
+  modelling::handle_interruptions();
   try {
     return execute(argc, argv, models);
   } catch (const contact::OutputError& error) {

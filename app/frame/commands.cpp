@@ -4,9 +4,12 @@
 #include "app/frame/screen.hpp"
 #include "base/errors.hpp"
 #include "base/text_fields.hpp"
+#include "case/checks/plausibility.hpp"
 #include "case/reading/case_reader.hpp"
+#include "models/frame/parts.hpp"
 #include "models/program/provenance.hpp"
 #include "models/registry.hpp"
+#include "profiles/profiles.hpp"
 #include "result/write/report.hpp"
 
 #include <fmt/format.h>
@@ -85,6 +88,27 @@ void add_threads_option(CLI::App& program, Call& call) {
         ->type_name("N");
 }
 
+void add_report_flags(CLI::App& command, ComputingRequest& request) {
+  add_set_option(command, request.changes);
+  command.add_flag("-q,--quiet", request.quiet, "print errors and warnings only");
+  command.add_flag_callback(
+      "--no-report", [&request] { request.report = false; },
+      "write results only, no figures and no report");
+}
+
+void add_division(CLI::App& command, contact::OwnPart& own, int& merge, const std::string& items) {
+  command.add_option_function<std::string>(
+      "--part", [&own](const std::string& text) { own = modelling::parse_part(text); },
+      "K/N: compute part K of N of the " + items +
+          " and store it beside FOLDER; calls for other parts may run at the same time, on any "
+          "machine that shares the folder");
+  command
+      .add_option("--merge", merge,
+                  "N: write the result of the N parts computed with --part, or list the missing "
+                  "ones; identical to the result of a single call")
+      ->check(CLI::Range(2, 1000000));
+}
+
 std::string footer_with_models(const std::string& example, const contact::ModelRegistry& models) {
   std::string text = "example: " + example + "\n\nmodels:\n";
   for (const contact::ModelInfo& model : models.all())
@@ -97,6 +121,11 @@ void warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
 }
 
+void warn_of_doubts(const contact::Case& input) {
+  warn(contact::implausible_values(input));
+  warn(profiles::neglected_in_files(input));
+}
+
 bool draw(Call& call, const fs::path& written, const std::string& failure) {
   const std::string problem =
       result::make_report(written.string(), modelling::script_directory().string());
@@ -106,10 +135,20 @@ bool draw(Call& call, const fs::path& written, const std::string& failure) {
   return false;
 }
 
-void draw_and_tell(Call& call, const fs::path& table) {
+void draw_and_print(Call& call, const fs::path& table) {
   const bool drawn = draw(call, table, "the figure was not drawn");
   std::cout << "table:  " << table.string() << '\n';
   if (drawn) std::cout << "figure: " << fs::path(table).replace_extension(".svg").string() << '\n';
+}
+
+bool report_drawn(const ComputingRequest& request, const fs::path& directory) {
+  return request.report &&
+         draw(request.call, directory, "the results were written, but the report was not drawn");
+}
+
+void print_where(const fs::path& directory, const char* page, bool drawn) {
+  std::cout << "\nresults: " << directory.string() << '\n';
+  if (drawn) std::cout << "report:  " << (directory / page).string() << '\n';
 }
 
 }  // namespace rollfem::app

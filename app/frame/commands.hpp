@@ -6,6 +6,7 @@
 #include "base/threads.hpp"
 #include "case/case.hpp"
 #include "contact/solve/model.hpp"
+#include "models/frame/command_frame.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -19,9 +20,7 @@ namespace rollfem::app {
 /// A call of the program.
 struct Call {
   const contact::ModelRegistry& models;
-  std::string command;  ///< the whole call, for provenance
-  int argc = 0;         ///< of main, for MPI
-  char** argv = nullptr;
+  std::string command;                           ///< the whole call, for provenance
   bool undrawn = false;                          ///< a report or figure that was wanted
   std::optional<contact::Threads> threads = {};  ///< those of --threads
 };
@@ -40,6 +39,15 @@ struct CaseRequest {
   contact::Case read(const std::string& file) const;
   /// `directory`, otherwise results/<name of the case file><ending>.
   std::filesystem::path folder(const std::string& ending) const;
+};
+
+using modelling::CommandFrame;
+
+/// Common part of the requests of run and table.
+struct ComputingRequest : CaseRequest, modelling::Computing {
+  explicit ComputingRequest(Call& made_by)
+      : CaseRequest(made_by), Computing{made_by.models, made_by.command} {}
+  bool report = true;  ///< draw figures and page, which takes some seconds
 };
 
 /// Allows these words alone, for CLI::Option::check.
@@ -61,18 +69,33 @@ void add_threads_option(CLI::App& program, Call& call);
 /// Adds `--quiet` to every command without it, except those that print nothing but a file.
 void add_quiet_flags(CLI::App& program);
 
+/// Adds the options that ComputingRequest holds, except those that divide the work.
+void add_report_flags(CLI::App& command, ComputingRequest& request);
+
+/// Adds the options that divide long work among calls (array jobs, machines).
+void add_division(CLI::App& command, contact::OwnPart& own, int& merge, const std::string& items);
+
 /// An example and every model with its description, for the end of a help text.
 std::string footer_with_models(const std::string& example, const contact::ModelRegistry& models);
 
 /// One line each on stderr, even with -q.
 void warn(const std::vector<std::string>& warnings);
 
+/// Warns of values in the case that look like unit mistakes, even with -q.
+void warn_of_doubts(const contact::Case& input);
+
 /// Draws the figures of a written table or result. If that fails, warns with `failure` and the
 /// reason and returns false.
 bool draw(Call& call, const std::filesystem::path& written, const std::string& failure);
 
 /// Draws the figure of a table and prints where both are.
-void draw_and_tell(Call& call, const std::filesystem::path& table);
+void draw_and_print(Call& call, const std::filesystem::path& table);
+
+/// Draws figures and report of a written folder if they are wanted. Warns if that fails.
+bool report_drawn(const ComputingRequest& request, const std::filesystem::path& directory);
+
+/// Prints where the results are and, if it was drawn, the report.
+void print_where(const std::filesystem::path& directory, const char* page, bool drawn);
 
 // Each adds a command; `call` must outlive parsing.
 void add_run(CLI::App& program, Call& call);

@@ -251,7 +251,7 @@ std::vector<convert::CaseFile> written_cases(const convert::Conversion& conversi
   return kept;
 }
 
-void tell(const std::vector<convert::CaseFile>& files, const fs::path& directory) {
+void print_files(const std::vector<convert::CaseFile>& files, const fs::path& directory) {
   std::vector<std::string> said;
   for (const convert::CaseFile& made : files) {
     std::cout << fmt::format("{}: {}\n", (directory / made.name).string(), case_words(made.cases));
@@ -284,7 +284,7 @@ void convert(const ConvertRequest& request, const contact::ModelRegistry& models
     refuse(request.file, refused, kept.empty());
   written.keep();
   warn_of_missing_profiles(cases, file);
-  tell(kept, directory);
+  print_files(kept, directory);
 }
 
 }  // namespace

@@ -74,8 +74,7 @@ void mesh(const CaseRequest& request) {
   const fs::path folder = request.folder("_mesh");
   spare_input(input, folder);
 
-  const fem::Entry& entry =
-      modelling::parallel_session("mesh", request.call.argc, request.call.argv).entry;
+  const fem::Entry& entry = modelling::parallel_session("mesh");
   std::vector<MeshedBody> bodies;
   for (const contact::Scene& scene : scenes)
     for (MeshedBody& body : entry.mesh(scene)) {

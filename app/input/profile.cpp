@@ -247,14 +247,14 @@ void print(const std::vector<NamedProfile>& profiles) {
 }
 
 /// For a case with both profiles: draws wheel on rail and prints their contacts.
-void tell_pair(const contact::Case& input, const fs::path& folder, Call& call) {
+void print_pair(const contact::Case& input, const fs::path& folder, Call& call) {
   if (!input.has_profiles()) return;
   const track::SearchScene search = track::search_scene_of(input);
   std::cout << "where wheel and rail touch\n" << modelling::contacts_text(input, search);
   for (const auto& [name, table] : modelling::pair_tables(input, search)) {
     const fs::path file = folder / (name + ".csv");
     result::replace_file(file, table);
-    draw_and_tell(call, file);
+    draw_and_print(call, file);
   }
 }
 
@@ -375,7 +375,7 @@ void sections(const ProfileRequest& request, const contact::ProfileSource& sourc
   const fs::path file = folder_for(request) / "sections.csv";
   result::replace_file(file, fmt::format("# {}\n{}", title, columns.table(rows)));
   std::cout << sections_text(family, title, wheel);
-  draw_and_tell(call, file);
+  draw_and_print(call, file);
 }
 
 void profile(const ProfileRequest& request, Call& call) {
@@ -398,10 +398,10 @@ void profile(const ProfileRequest& request, Call& call) {
     result::replace_file(
         file, fmt::format("# {}\n{}", profile.title, profile_columns().table(rows_of(profile))));
     std::cout << described(profile) << list(profile.curve);
-    draw_and_tell(call, file);
+    draw_and_print(call, file);
   }
   if (fs::path(request.name).extension() == ".toml" && request.wheel == request.rail)
-    tell_pair(contact::read_case(request.name), folder, call);
+    print_pair(contact::read_case(request.name), folder, call);
 }
 
 }  // namespace

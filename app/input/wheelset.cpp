@@ -3,7 +3,7 @@
 // wheelset of a case over its lateral shift; no contact problem is solved.
 #include "app/input/wheelset.hpp"
 
-#include "app/frame/computing.hpp"
+#include "app/frame/commands.hpp"
 #include "app/frame/screen.hpp"
 #include "base/errors.hpp"
 #include "base/threads.hpp"
@@ -110,8 +110,8 @@ void print(const contact::Case& input, const std::vector<RigidWheelset>& rows) {
   print_result(json.dump(1));
 }
 
-void tell(const WheelsetRequest& request, const contact::Case& input,
-          const std::vector<RigidWheelset>& rows) {
+void print_table(const WheelsetRequest& request, const contact::Case& input,
+                 const std::vector<RigidWheelset>& rows) {
   const double last = rows.back().lateral_shift;
   std::cout << fmt::format(
       "{}\nrigid wheelset, contacts {:g} mm apart, rolling radius {:g} mm; the other side is the "
@@ -134,9 +134,9 @@ void wheelset(const WheelsetRequest& request) {
   if (request.json && request.directory.empty()) return;
   const fs::path folder = request.folder("_wheelset");
   result::replace_file(folder / "wheelset.csv", result::rigid_wheelset_columns().table(rows));
-  tell(request, input, rows);
+  print_table(request, input, rows);
   std::cout << '\n';
-  draw_and_tell(request.call, folder / "wheelset.csv");
+  draw_and_print(request.call, folder / "wheelset.csv");
 }
 
 }  // namespace

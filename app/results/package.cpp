@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The commands `study`, `compare`, `bench` and `stress`, which the Python package carries out
 // (postprocess/rollfem/commands): here are their options, for help, manual page and completion.
-#include "app/frame/computing.hpp"
+#include "app/frame/commands.hpp"
 #include "base/errors.hpp"
 #include "base/threads.hpp"
 #include "models/frame/waiting.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `table`: the creep force law of a case's contact over scaled creepages and axis
 // ratios, or over lateral shifts of its wheelset, with error bars and interpolation errors.
-#include "app/frame/computing.hpp"
+#include "app/frame/commands.hpp"
 #include "models/frame/parts.hpp"
 #include "result/files/result_folder.hpp"
 #include "tables/files/table_files.hpp"
@@ -113,7 +113,7 @@ fs::path directory_of(const ComputingRequest& request) {
   return request.folder("_table");
 }
 
-void write_and_tell(const ComputingRequest& request, const CreepTable& table, double seconds) {
+void write_and_print(const ComputingRequest& request, const CreepTable& table, double seconds) {
   const fs::path directory = directory_of(request);
   std::map<std::string, std::string> files{{"table.h5", tables::table_hdf5(table)},
                                            {"table.csv", tables::table_csv(table)},
@@ -123,7 +123,7 @@ void write_and_tell(const ComputingRequest& request, const CreepTable& table, do
   const bool drawn = report_drawn(request, directory);
   if (request.quiet) return;
   std::cout << summary_of(table, seconds);
-  tell_where(directory, "table.html", drawn);
+  print_where(directory, "table.html", drawn);
 }
 
 void table_at_once(const ComputingRequest& request) {
@@ -148,7 +148,7 @@ void table_at_once(const ComputingRequest& request) {
     frame.clear_line();
     if (frame.ends_part()) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    write_and_tell(request, made, seconds.count());
+    write_and_print(request, made, seconds.count());
     frame.forget_kept();
   });
 }

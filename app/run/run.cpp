@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `run`: the models of a case one after the other, then results and report.
-#include "app/frame/computing.hpp"
+#include "app/frame/commands.hpp"
 #include "app/input/wheelset.hpp"
 #include "app/run/run_table.hpp"
 #include "base/errors.hpp"
@@ -48,7 +48,7 @@ void check_before(const RunRequest& request, const contact::Case& input,
 
 /// The model shown for each position: the one with most patches, because not every theory can take
 /// all of them; among equals the reference model.
-std::string model_to_tell(const result::RunRecord& record, const contact::ModelRegistry& models) {
+std::string model_to_print(const result::RunRecord& record, const contact::ModelRegistry& models) {
   const auto patches = [&](const std::string& name) {
     return std::count_if(record.models.begin(), record.models.end(),
                          [&](const contact::ModelResult& model) { return model.name == name; });
@@ -60,8 +60,8 @@ std::string model_to_tell(const result::RunRecord& record, const contact::ModelR
 }
 
 /// Tells early that `rollfem stress` will lack data.
-void tell_what_is_not_stored(const result::RunRecord& record,
-                             const contact::ModelRegistry& models) {
+void print_what_is_not_stored(const result::RunRecord& record,
+                              const contact::ModelRegistry& models) {
   const auto keeps = [&](const contact::ModelResult& model) {
     return models.at(model.name).keeps_bodies && model.points_with_bodies().empty();
   };
@@ -73,7 +73,7 @@ void tell_what_is_not_stored(const result::RunRecord& record,
       found->label);
 }
 
-void write_and_tell(const RunRequest& request, const result::RunRecord& record) {
+void write_and_print(const RunRequest& request, const result::RunRecord& record) {
   const contact::ModelRegistry& models = request.call.models;
   const fs::path directory = request.folder();
   modelling::store_results(directory.string(), record);
@@ -82,10 +82,10 @@ void write_and_tell(const RunRequest& request, const result::RunRecord& record) 
   if (request.quiet) return;
   std::cout << record.input.title << "\n\n"
             << run_table(record.models)
-            << result::wheelset_table(record, model_to_tell(record, models));
+            << result::wheelset_table(record, model_to_print(record, models));
   std::cout << '\n' << notes_text(record.models, contact::Note::remark);
-  tell_where(directory, "report.html", drawn);
-  tell_what_is_not_stored(record, models);
+  print_where(directory, "report.html", drawn);
+  print_what_is_not_stored(record, models);
   std::cout << notes_text(record.models, contact::Note::warning);
   if (!record.verdict.empty()) std::cout << "warning: " << record.verdict << '\n';
 }
@@ -123,7 +123,7 @@ void run_at_once(const RunRequest& request) {
     if (!how.first || frame.ends_part()) return;
     if (placed) add_rigid_wheelset(placed->search, record);
     frame.clear_line();
-    write_and_tell(request, record);
+    write_and_print(request, record);
     frame.forget_kept();
     refuse_shortfall(record);
   });

@@ -187,7 +187,7 @@ std::string place_line(const contact::ContactPlace& place) {
 }
 
 /// More patches than this get one line each.
-constexpr std::size_t most_told = 3;
+constexpr std::size_t most_tables = 3;
 
 /// "0.3052 +- 0.0028"
 std::string with_bar(const std::string& value, const PointResult& point, const char* quantity) {
@@ -222,16 +222,16 @@ std::string row_table(const std::vector<ModelResult>& models) {
 /// The largest model errors of all load points: "p0 12 MPa, a 0.02 mm".
 std::string largest_model_errors(const ModelResult& model) {
   std::string text;
-  for (const auto& [name, told] : {std::pair{"max_pressure", "p0 {:.2g} MPa"},
-                                   {"semi_axis_x", "a {:.2g} mm"},
-                                   {"semi_axis_y", "b {:.2g} mm"},
-                                   {"traction_coefficient", "-F_x/F_z {:.2g}"}}) {
+  for (const auto& [name, format] : {std::pair{"max_pressure", "p0 {:.2g} MPa"},
+                                     {"semi_axis_x", "a {:.2g} mm"},
+                                     {"semi_axis_y", "b {:.2g} mm"},
+                                     {"traction_coefficient", "-F_x/F_z {:.2g}"}}) {
     double largest = 0.0;
     for (const PointResult& point : model.points)
       if (const auto found = point.model_error.find(name); found != point.model_error.end())
         largest = std::max(largest, found->second);
     if (largest > 0.0)
-      text += (text.empty() ? "" : ", ") + fmt::format(fmt::runtime(told), largest);
+      text += (text.empty() ? "" : ", ") + fmt::format(fmt::runtime(format), largest);
   }
   return text;
 }
@@ -262,7 +262,7 @@ std::string run_table(const std::vector<ModelResult>& models) {
     else
       found->push_back(model);
   }
-  if (scenes.size() > most_told) return row_table(models);
+  if (scenes.size() > most_tables) return row_table(models);
   std::string text;
   for (const auto& scene : scenes) {
     if (!text.empty()) text += '\n';

@@ -14,7 +14,7 @@
 
 namespace rollfem::capi {
 
-inline void tell(const std::string& text, char* message, size_t size) {
+inline void copy_message(const std::string& text, char* message, size_t size) {
   if (message == nullptr || size == 0) return;
   const size_t length = std::min(size - 1, text.size());
   std::memcpy(message, text.data(), length);
@@ -80,16 +80,16 @@ class Given {
 template <class Work>
 rollfem_status guarded(const Work& work, char* message, size_t size) {
   try {
-    tell("", message, size);
+    copy_message("", message, size);
     work();
     return ROLLFEM_OK;
   } catch (const contact::InputError& error) {
-    tell(error.what(), message, size);
+    copy_message(error.what(), message, size);
     return ROLLFEM_REFUSED;
   } catch (const std::bad_alloc&) {
-    tell("out of memory", message, size);
+    copy_message("out of memory", message, size);
   } catch (const std::exception& error) {
-    tell(error.what(), message, size);
+    copy_message(error.what(), message, size);
   }
   return ROLLFEM_FAILED;
 }

@@ -310,7 +310,7 @@ void define_frame(py::module_& module) {
              const contact::OwnPart own =
                  part.empty() ? contact::OwnPart() : modelling::parse_part(part);
              return std::unique_ptr<Computing>(
-                 new Computing{known_models(), command, 0, nullptr, quiet, resume, own, merge});
+                 new Computing{known_models(), command, quiet, resume, own, merge});
            }),
            "command"_a, "quiet"_a, "resume"_a, "part"_a, "merge"_a);
   module.def("in_parts", [](Computing& asked, bool divisible, const std::string& folder,
@@ -318,7 +318,7 @@ void define_frame(py::module_& module) {
     modelling::check_division(asked, 2, "");  // a study has several levels
     modelling::in_parts(asked, divisible, folder, [&] { work(); });
   });
-  module.def("tell_of_interruptions", &modelling::tell_of_interruptions);
+  module.def("tell_of_interruptions", &modelling::handle_interruptions);
   module.def("refuse_other_result", [](const std::string& folder, const std::string& own) {
     modelling::refuse_other_result(folder, own);
   });

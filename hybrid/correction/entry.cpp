@@ -24,11 +24,11 @@ using Vector = dealii::LinearAlgebra::distributed::Vector<Number>;
 
 std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> session;
 
-void start(int& argc, char**& argv) {
+void start() {
   if (session) return;
   // deal.II also starts PETSc, which by default reads options from .petscrc in the current folder
   // (one of them starts a program) and from the command line; both are disabled here.
-  static std::string program = argc > 0 ? argv[0] : "rollfem", option = "-skip_petscrc";
+  static std::string program = "rollfem", option = "-skip_petscrc";
   static std::array<char*, 3> call{program.data(), option.data(), nullptr};
   int count = 2;
   char** own = call.data();

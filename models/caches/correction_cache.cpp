@@ -5,16 +5,15 @@
 #include "hybrid/correction_scene.hpp"
 #include "models/program/provenance.hpp"
 #include "result/files/files_together.hpp"
+#include "result/files/result_folder.hpp"
 #include "result/files/seal.hpp"
 #include "result/record.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
-#include <ctime>
 #include <tuple>
 #include <utility>
 
@@ -171,7 +170,7 @@ std::string CorrectionCache::keep(const contact::Scene& correction, const Smooth
   const std::string key = key_of(correction, correction.is_symmetric());
   Stored stored{key, {}, packed(parts)};
   stored.entry.words = hybrid::correction_words(correction);
-  stored.entry.made = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
+  stored.entry.made = result::utc_now();
   stored.entry.unknowns = parts.unknowns;
   stored.entry.seconds = seconds;
   try {

@@ -90,18 +90,13 @@ FemLock lock_fem() {
   return FemLock(one_at_a_time);
 }
 
-const ParallelSession& parallel_session(const std::string& asked_by, int argc, char** argv) {
-  static const ParallelSession session = [&] {
-    static char name[] = "rollfem";
-    static char* arguments[] = {name, nullptr};
+const fem::Entry& parallel_session(const std::string& asked_by) {
+  static const fem::Entry& session = [&]() -> const fem::Entry& {
     const fem::Entry& entry = open_fem_library(asked_by);
-    const bool given = argv != nullptr;
-    int count = given ? argc : 1;
-    char** words = given ? argv : arguments;
-    entry.start(count, words);
+    entry.start();
     // Ends the session before its libraries are unloaded.
-    std::atexit([] { session.entry.stop(); });
-    return ParallelSession{entry};
+    std::atexit([] { session.stop(); });
+    return entry;
   }();
   return session;
 }

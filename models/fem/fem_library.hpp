@@ -19,16 +19,8 @@ const fem::Entry& open_fem_library(const std::string& asked_by);
 using FemLock = std::unique_lock<std::recursive_mutex>;
 FemLock lock_fem();
 
-/// The MPI of the finite-element library, initialised only when parallel models run.
-struct ParallelSession {
-  /// Collective: the text of the first process on every process.
-  std::string from_first(const std::string& text) const { return entry.from_first(text); }
-  const fem::Entry& entry;
-};
-
-/// The session, started by the first call, with the lock. It lasts until the process ends, because
+/// The library with its MPI, started by the first call. It lasts until the process ends, because
 /// MPI starts only once. `asked_by`: as above.
-const ParallelSession& parallel_session(const std::string& asked_by, int argc = 0,
-                                        char** argv = nullptr);
+const fem::Entry& parallel_session(const std::string& asked_by);
 
 }  // namespace rollfem::modelling

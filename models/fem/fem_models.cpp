@@ -33,7 +33,7 @@ SmoothParts found_here(const contact::Scene& scene, const contact::Progress& pro
   const auto stored = cache.find(correction, scene.asks_for_stress());
   if (stored.parts) return *stored.parts;
   const FemLock alone = lock_fem();
-  const fem::Entry& library = parallel_session("model hybrid").entry;
+  const fem::Entry& library = parallel_session("model hybrid");
   const contact::Stopwatch watch;
   SmoothParts parts = library.find_smooth_parts(scene, progress);
   const std::string why = cache.keep(correction, parts, watch.seconds());

@@ -91,7 +91,7 @@ void CommandFrame::own(const fs::path& directory) {
 }
 
 /// Prepares the message about what an interruption leaves behind.
-void CommandFrame::prepare_farewell() const {
+void CommandFrame::set_interrupt_message() const {
   if (!first_) return;
   if (!kept_ || kept_->kept() == 0)
     say_when_interrupted("no finished work was stored and no result written");
@@ -107,9 +107,9 @@ result::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
   kept_.reset();  // releases the lock before the next one is taken
   kept_ = std::make_unique<result::CheckpointFolder>(part_directory(directory, request_.own), input,
                                                      program(), request_.resume, print_warning);
-  take_up_parts(directory, input);
-  kept_->tell([this] { prepare_farewell(); });
-  prepare_farewell();
+  merge_parts(directory, input);
+  kept_->when_stored([this] { set_interrupt_message(); });
+  set_interrupt_message();
   const std::string folder = fs::path(kept_->folder()).lexically_proximate(fs::current_path());
   const auto found = kept_->found();
   if (found > 0 && !request_.resume)
@@ -126,12 +126,12 @@ result::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
 }
 
 /// Throws contact::InputError that names the missing parts.
-void CommandFrame::take_up_parts(const fs::path& directory, const contact::Case& input) {
+void CommandFrame::merge_parts(const fs::path& directory, const contact::Case& input) {
   std::string missing;
   for (int part = 0; part < request_.merge; ++part) {
     const std::string folder = part_directory(directory, {part, request_.merge});
     if (result::CheckpointFolder::is_marked(folder, part_done))
-      kept_->take_up_also(std::make_unique<result::CheckpointFolder>(folder, input, program(), true,
+      kept_->also_find_in(std::make_unique<result::CheckpointFolder>(folder, input, program(), true,
                                                                      print_warning));
     else
       missing += fmt::format("{}{}", missing.empty() ? "" : ", ", part + 1);
@@ -165,7 +165,7 @@ void CommandFrame::forget_kept() {
   kept_.reset();
 }
 
-void CommandFrame::tell_of_kept(const std::string& kept) const {
+void CommandFrame::print_kept(const std::string& kept) const {
   if (!kept_ || request_.quiet || !kept_->holds_records()) return;
   std::cerr << fmt::format(
       "finished {} are kept; the same command with --resume continues from them: {}\n", kept,
@@ -175,11 +175,9 @@ void CommandFrame::tell_of_kept(const std::string& kept) const {
 void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
                            const std::function<void(const Solving&)>& body) {
   check_built(known_, models_, asked_by);
-  prepare_farewell();
+  set_interrupt_message();
   Solving how;
-  const auto start = [&] {
-    how.session = &parallel_session(asked_by, request_.argc, request_.argv);
-  };
+  const auto start = [&] { how.session = &parallel_session(asked_by); };
   // A choice may end without finite elements, whose library takes longer to load than half-spaces
   // take to solve. With several processes the library is needed for their agreement.
   if (parallel_ && (processes_ > 1 || !any_choice(known_, models_))) start();
@@ -193,7 +191,7 @@ void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
     display_.clear();
   } catch (...) {
     display_.clear();
-    tell_of_kept(kept);
+    print_kept(kept);
     throw;
   }
 }

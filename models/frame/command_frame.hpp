@@ -23,8 +23,6 @@ namespace rollfem::modelling {
 struct Computing {
   const contact::ModelRegistry& known;
   std::string command;  ///< the whole call, for provenance
-  int argc = 0;         ///< of main, for MPI
-  char** argv = nullptr;
   bool quiet = false;
   bool resume = false;   ///< continue an interrupted run
   contact::OwnPart own;  ///< --part: part of the work to do and store, without a result
@@ -69,10 +67,10 @@ class CommandFrame {
                const std::function<void(const Solving&)>& body);
 
  private:
-  void take_up_parts(const std::filesystem::path& directory, const contact::Case& input);
+  void merge_parts(const std::filesystem::path& directory, const contact::Case& input);
   std::string program() const;
-  void tell_of_kept(const std::string& kept) const;
-  void prepare_farewell() const;
+  void print_kept(const std::string& kept) const;
+  void set_interrupt_message() const;
 
   const Computing& request_;
   const contact::ModelRegistry& known_;

@@ -14,8 +14,8 @@ namespace rollfem::modelling {
 namespace {
 
 // A handler may only write prepared text: the last one. It may still be reading the one before.
-std::deque<std::string> farewells;
-std::atomic<const char*> farewell{nullptr};
+std::deque<std::string> messages;
+std::atomic<const char*> message{nullptr};
 
 std::array<char*, 256> removed{};  // never freed: a handler may be reading it
 std::atomic<std::size_t> removals{0};
@@ -24,7 +24,7 @@ void say_and_end(int signal) {
   const int before = errno;
   for (std::size_t k = 0, all = removals.load(); k < all; ++k)
     if (::unlink(removed[k]) != 0) ::rmdir(removed[k]);
-  if (const char* text = farewell.load())
+  if (const char* text = message.load())
     if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) {
       // Nobody reads stderr any more.
     }
@@ -34,7 +34,7 @@ void say_and_end(int signal) {
 
 }  // namespace
 
-void tell_of_interruptions() {
+void handle_interruptions() {
   struct sigaction end {};
   end.sa_handler = say_and_end;
   end.sa_flags = static_cast<int>(SA_RESETHAND);
@@ -58,14 +58,14 @@ void remove_nothing_when_interrupted() {
 
 void say_when_interrupted(const std::string& what) {
   if (what.empty()) {
-    farewell.store(nullptr);
+    message.store(nullptr);
     return;
   }
   // On a terminal a progress line may be unfinished.
   const std::string begin = ::isatty(STDERR_FILENO) != 0 ? "\n" : "";
-  farewells.push_back(begin + "rollfem: interrupted: " + what + '\n');
-  farewell.store(farewells.back().c_str());
-  if (farewells.size() > 2) farewells.pop_front();
+  messages.push_back(begin + "rollfem: interrupted: " + what + '\n');
+  message.store(messages.back().c_str());
+  if (messages.size() > 2) messages.pop_front();
 }
 
 }  // namespace rollfem::modelling

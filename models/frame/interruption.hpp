@@ -8,7 +8,7 @@ namespace rollfem::modelling {
 
 /// Installs handlers that print the last text given to `say_when_interrupted` and then end the
 /// program as usual (status 130 for Ctrl-C, 143 for SIGTERM). Ignored signals stay ignored.
-void tell_of_interruptions();
+void handle_interruptions();
 
 /// Sets the message: one sentence without a full stop; empty: no message.
 void say_when_interrupted(const std::string& what);

@@ -14,7 +14,6 @@ std::string version();
 /// Commit it was built from: "unknown" outside of a git checkout; ends in "-dirty" when files were
 /// changed.
 std::string commit();
-std::string host_name();
 
 /// Provenance of a result computed now by this process. `command`: the whole call.
 result::Provenance provenance_of(const contact::ModelRegistry& models, const std::string& command);

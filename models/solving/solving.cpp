@@ -57,8 +57,8 @@ struct Part {
 };
 
 /// Adds model and patch to progress events, because a model may run another one.
-contact::Progress told(const contact::ModelInfo& model, const contact::Scene& scene,
-                       const contact::Progress& progress) {
+contact::Progress labelled(const contact::ModelInfo& model, const contact::Scene& scene,
+                           const contact::Progress& progress) {
   const std::string patch = scene.place ? scene.place->label() + ": " : "";
   return [name = model.name, patch, progress](contact::ProgressEvent event) {
     event.model = name;
@@ -273,7 +273,7 @@ contact::ModelResult run_model(const std::string& name, const contact::Scene& sc
   // Patches do not resume from each other's load points.
   contact::CheckpointPart kept(how.checkpoint,
                                scene.place ? scene.place->key('-') + '-' : std::string());
-  return how.models->run(name, scene, told(how.models->at(name), scene, how.progress),
+  return how.models->run(name, scene, labelled(how.models->at(name), scene, how.progress),
                          how.checkpoint != nullptr ? &kept : nullptr);
 }
 

@@ -18,7 +18,7 @@ namespace rollfem::modelling {
 
 struct Solving {
   const contact::ModelRegistry* models = nullptr;
-  const ParallelSession* session = nullptr;  ///< set if a model is parallel
+  const fem::Entry* session = nullptr;  ///< set if a model is parallel
   /// Starts the session before the first run of a parallel model that is only possibly needed. May
   /// be empty.
   std::function<void()> need_session = {};

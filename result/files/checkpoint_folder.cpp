@@ -211,7 +211,7 @@ void CheckpointFolder::write(const std::string& name, const std::string& record)
   if (!begun_) begin();
   replace_file(file_of(name), sealed_record(place_of(name), record));
   ++written_;
-  if (told_) told_();
+  if (stored_) stored_();
 }
 
 void CheckpointFolder::keep(const std::string& name, const std::string& record) {
@@ -242,7 +242,7 @@ void CheckpointFolder::drop(const std::string& begin) {
     if (is_record(file) && fits(file.filename().string())) fs::remove(file, ignored);
 }
 
-void CheckpointFolder::take_up_also(std::unique_ptr<CheckpointFolder> other) {
+void CheckpointFolder::also_find_in(std::unique_ptr<CheckpointFolder> other) {
   others_.push_back(std::move(other));
 }
 

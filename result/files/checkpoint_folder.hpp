@@ -39,15 +39,15 @@ class CheckpointFolder : public contact::Checkpoint {
   std::filesystem::path set_aside() const;
   /// Number of existing records of an earlier run, used or not.
   int found() const { return found_; }
-  /// Calls `told` whenever another record is on the disk.
-  void tell(std::function<void()> told) { told_ = std::move(told); }
+  /// Calls `stored` whenever another record is on the disk.
+  void when_stored(std::function<void()> stored) { stored_ = std::move(stored); }
   int kept() const { return written_ + (resume_ ? found_ : 0); }
   /// Whether this run has solved or found nothing.
   bool untouched() const { return kept() == 0 && held_back_.empty(); }
   /// Whether a later run will find records.
   bool holds_records() const;
   /// Also finds the records of another call's folder, and removes them together with its own.
-  void take_up_also(std::unique_ptr<CheckpointFolder> other);
+  void also_find_in(std::unique_ptr<CheckpointFolder> other);
   /// Stores an empty record of that name and all pending records. Returns false if the disk does
   /// not take them all.
   bool mark(const std::string& name);
@@ -80,7 +80,7 @@ class CheckpointFolder : public contact::Checkpoint {
   std::function<void(const std::string&)> warn_;
   int found_ = 0;
   int written_ = 0;  ///< number of records written by this run
-  std::function<void()> told_;
+  std::function<void()> stored_;
   bool begun_ = false;   ///< the folder is ours
   bool failed_ = false;  ///< writing has stopped after an error
   std::vector<std::pair<std::string, std::string>> held_back_;

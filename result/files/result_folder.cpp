@@ -3,7 +3,8 @@
 
 #include "base/errors.hpp"
 
-#include <fmt/core.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
@@ -11,7 +12,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
 #include <fcntl.h>
 #include <set>
@@ -131,15 +131,8 @@ void remove_stale_partials(const fs::path& target) {
 const std::string owner_head = "rollfem is writing the result beside this file.\n";
 
 std::string owner_text(const std::string& command) {
-  char host[256] = {};
-  if (::gethostname(host, sizeof host - 1) != 0) std::strcpy(host, "unknown");
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  ::gmtime_r(&now, &utc);
-  char start[32];
-  std::strftime(start, sizeof start, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return fmt::format("{}process {} on {}, started {}: {}\n", owner_head, ::getpid(), host, start,
-                     command);
+  return fmt::format("{}process {} on {}, started {}: {}\n", owner_head, ::getpid(), host_name(),
+                     utc_now(), command);
 }
 
 /// The owner's description of itself; empty if not yet written.
@@ -161,6 +154,15 @@ std::string owner_of(const fs::path& file) {
 }
 
 }  // namespace
+
+std::string host_name() {
+  char name[256] = {};
+  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
+}
+
+std::string utc_now() {
+  return fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
+}
 
 ResultFolder::ResultFolder(const std::string& directory)
     : target_(checked_target(directory)), parents_(target_.parent_path()) {

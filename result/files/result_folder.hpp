@@ -46,6 +46,11 @@ void check_directory(const std::string& directory);
 /// it has no name or cannot be resolved.
 std::filesystem::path resolved_folder(const std::string& directory);
 
+/// Name of this machine; "unknown" without one.
+std::string host_name();
+/// The time now: UTC, ISO 8601.
+std::string utc_now();
+
 /// Ensures that only one process at a time produces a result: it owns the folder from before the
 /// first solution until everything is written.
 class FolderOwner {

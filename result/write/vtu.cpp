@@ -224,8 +224,8 @@ std::vector<double> series_times(const std::vector<contact::PointResult>& points
   for (const contact::PointResult& point : points) times.push_back(point.creepage.longitudinal);
   std::vector<double> sorted = times;
   std::sort(sorted.begin(), sorted.end());
-  const bool told_apart = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
-  if (!told_apart) std::iota(times.begin(), times.end(), 0.0);
+  const bool differ = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  if (!differ) std::iota(times.begin(), times.end(), 0.0);
   return times;
 }
 

@@ -112,7 +112,7 @@ static void solve(double (*matrix)[UNKNOWNS], double* x) {
   for (int k = 0; k < UNKNOWNS; ++k) x[k] /= matrix[k][k];
 }
 
-static void tell_outputs(slave* s, const double* at, const rollfem_result* result) {
+static void set_outputs(slave* s, const double* at, const rollfem_result* result) {
   double* v = s->now.value;
   memcpy(&v[V_shift], at, UNKNOWNS * sizeof *at); /* in the order of variables.cmake */
   v[V_roll] = result[0].roll;
@@ -153,7 +153,7 @@ static int advance(slave* s, double step) {
     for (int k = 0; k < UNKNOWNS; ++k) at[k] += h * (1.5 * first[k] + 0.5 * second[k]);
   }
   if (!rates(s, at, first, result, NULL)) return 0;
-  tell_outputs(s, at, result);
+  set_outputs(s, at, result);
   return 1;
 }
 
@@ -250,7 +250,7 @@ EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
     drop_wheels(s);
     return fail(s, fmi2Error, s->message);
   }
-  tell_outputs(s, at, result);
+  set_outputs(s, at, result);
   return fmi2OK;
 }
 
