@@ -5,18 +5,121 @@
 #include "base/errors.hpp"
 #include "base/pi.hpp"
 #include "base/root.hpp"
-#include "meshes/gmsh_session.hpp"
-#include "meshes/grading.hpp"
 
 #include <fmt/format.h>
+#include <gmsh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <unordered_map>
 
 namespace rollfem::meshes {
 
+GmshSession::GmshSession() {
+  // User configuration files are ignored, so that meshes are the same everywhere.
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 0);
+  gmsh::option::setNumber("General.NumThreads", 1);
+}
+
+GmshSession::~GmshSession() {
+  gmsh::finalize();
+}
+
 namespace {
+
+/// Nodes and quadrilaterals in a closed polygon, and the edges on its lines.
+struct PlaneMesh {
+  std::vector<std::array<double, 2>> points;
+  std::vector<std::array<int, 4>> quads;
+  struct Edge {
+    std::array<int, 2> ends;
+    std::size_t line;  ///< that begins at this corner
+  };
+  std::vector<Edge> edges;
+};
+
+/// Quadrilaterals whose sizes follow the boundary lines.
+void set_quadrilaterals() {
+  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 1);
+  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
+  // Frontal-Delaunay; the variant for quadrilaterals (8) crashes on sections in gmsh 4.8.4.
+  gmsh::option::setNumber("Mesh.Algorithm", 6);
+  gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
+  gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1);
+  gmsh::option::setNumber("Mesh.Smoothing", 10);
+}
+
+void mesh_plane(const std::string& what) {
+  try {
+    gmsh::model::geo::synchronize();
+    gmsh::model::mesh::generate(2);
+  } catch (...) {
+    std::string complaint;
+    gmsh::logger::getLastError(complaint);
+    throw contact::InputError("gmsh cannot mesh the cross-section (" +
+                              (complaint.empty() ? "unknown error" : complaint) +
+                              "): use [fem] mesh = \"structured\", or change " + what);
+  }
+}
+
+PlaneMesh collect_plane(const std::vector<int>& lines) {
+  PlaneMesh mesh;
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> elements, corners;
+  gmsh::model::mesh::getElements(types, elements, corners, 2, -1);
+  constexpr int quadrilateral = 3;
+  if (types != std::vector<int>{quadrilateral})
+    throw contact::InputError(
+        "gmsh left cells in the cross-section that are not quadrilaterals: use [fem] mesh = "
+        "\"structured\"");
+  std::vector<std::size_t> tags;
+  std::vector<double> places, unused;
+  gmsh::model::mesh::getNodes(tags, places, unused, -1, -1, false, false);
+  std::unordered_map<std::size_t, std::array<double, 2>> place_of;
+  for (std::size_t k = 0; k < tags.size(); ++k)
+    place_of[tags[k]] = {places[3 * k], places[3 * k + 1]};
+  std::unordered_map<std::size_t, int> number;
+  for (const std::size_t tag : corners.front())
+    if (number.try_emplace(tag, static_cast<int>(mesh.points.size())).second)
+      mesh.points.push_back(place_of.at(tag));
+  const auto& c = corners.front();
+  for (std::size_t k = 0; k < c.size(); k += 4)
+    mesh.quads.push_back(
+        {number.at(c[k]), number.at(c[k + 1]), number.at(c[k + 2]), number.at(c[k + 3])});
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    std::vector<std::vector<std::size_t>> line_elements, ends;
+    gmsh::model::mesh::getElements(types, line_elements, ends, 1, lines[line]);
+    for (const auto& of_type : ends)
+      for (std::size_t k = 0; k < of_type.size(); k += 2)
+        mesh.edges.push_back({{number.at(of_type[k]), number.at(of_type[k + 1])}, line});
+  }
+  return mesh;
+}
+
+/// Cells of twice the size of the lines, recombined and split into four (a left-over triangle into
+/// three): each line becomes two edges. Throws contact::InputError with the advice to change
+/// `what`.
+PlaneMesh mesh_polygon(const std::vector<std::array<double, 2>>& corners, const std::string& what) {
+  namespace geo = gmsh::model::geo;
+  const GmshSession session;
+  gmsh::model::add("section");
+  set_quadrilaterals();
+  std::vector<int> points, lines;
+  for (const auto& p : corners) points.push_back(geo::addPoint(p[0], p[1], 0.0));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    lines.push_back(geo::addLine(points[k], points[(k + 1) % points.size()]));
+    geo::mesh::setTransfiniteCurve(lines.back(), 2);
+  }
+  geo::mesh::setRecombine(2, geo::addPlaneSurface({geo::addCurveLoop(lines)}));
+  mesh_plane(what);
+  return collect_plane(lines);
+}
+
+double distance(const SectionPoint& a, const SectionPoint& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
 
 struct BlockMesh {
   std::function<double(double)> height;  ///< of the surface over y, mm
@@ -29,6 +132,33 @@ struct BlockMesh {
     return {columns[column], height(columns[column]) + row * row_height};
   }
   int last_column() const { return static_cast<int>(columns.size()) - 1; }
+  /// Nodes are numbered row by row.
+  int at(int column, int row) const { return row * (last_column() + 1) + column; }
+
+  Section section() const {
+    Section result;
+    const int columns = last_column();
+    for (int row = 0; row <= rows; ++row)
+      for (int column = 0; column <= columns; ++column) result.points.push_back(point(column, row));
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column)
+        result.quads.push_back(
+            {at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)});
+    for (int column = 0; column < columns; ++column)
+      result.edges.push_back({{at(column, 0), at(column + 1, 0)}, Side::contact});
+    for (int row = 0; half && row < rows; ++row)
+      result.edges.push_back({{at(0, row), at(0, row + 1)}, Side::symmetry});
+    return result;
+  }
+
+  /// In the order of lines_of().
+  std::vector<int> around() const {
+    std::vector<int> nodes;
+    for (int row = half ? rows : 0; row < rows; ++row) nodes.push_back(at(0, row));
+    for (int column = 0; column < last_column(); ++column) nodes.push_back(at(column, rows));
+    for (int row = rows; row >= 0; --row) nodes.push_back(at(last_column(), row));
+    return nodes;
+  }
 };
 
 /// A line of the polygon around a block, from here to the next one; each becomes two edges.
@@ -37,52 +167,15 @@ struct BlockedLine {
   std::optional<Side> side;  ///< none: free
   bool of_block = false;     ///< between nodes of the block
 };
-/// Numbers of the nodes of a block, row by row.
-class BlockNodes {
- public:
-  explicit BlockNodes(const BlockMesh& block) : block_(block) {}
-  int at(int column, int row) const { return row * (block_.last_column() + 1) + column; }
-
-  Section section() const {
-    Section result;
-    const int columns = block_.last_column();
-    for (int row = 0; row <= block_.rows; ++row)
-      for (int column = 0; column <= columns; ++column)
-        result.points.push_back(block_.point(column, row));
-    for (int row = 0; row < block_.rows; ++row)
-      for (int column = 0; column < columns; ++column)
-        result.quads.push_back(
-            {at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)});
-    for (int column = 0; column < columns; ++column)
-      result.edges.push_back({{at(column, 0), at(column + 1, 0)}, Side::contact});
-    for (int row = 0; block_.half && row < block_.rows; ++row)
-      result.edges.push_back({{at(0, row), at(0, row + 1)}, Side::symmetry});
-    return result;
-  }
-
-  /// In the order of lines_of().
-  std::vector<int> around() const {
-    std::vector<int> nodes;
-    for (int row = block_.half ? block_.rows : 0; row < block_.rows; ++row)
-      nodes.push_back(at(0, row));
-    for (int column = 0; column < block_.last_column(); ++column)
-      nodes.push_back(at(column, block_.rows));
-    for (int row = block_.rows; row >= 0; --row) nodes.push_back(at(block_.last_column(), row));
-    return nodes;
-  }
-
- private:
-  const BlockMesh& block_;
-};
 
 /// The lines on the block's sides inside the section, anticlockwise around the rest: down the first
 /// column (unless half), along the bottom and up the last column.
 std::vector<BlockedLine> lines_of(const BlockMesh& block) {
-  const std::vector<int> nodes = BlockNodes(block).around();
-  const Section section = BlockNodes(block).section();
+  const std::vector<int> nodes = block.around();
+  const std::vector<SectionPoint> points = block.section().points;
   std::vector<BlockedLine> lines;
   for (std::size_t k = 0; k + 1 < nodes.size(); k += 2)
-    lines.push_back({section.points[nodes[k]], std::nullopt, true});
+    lines.push_back({points[nodes[k]], std::nullopt, true});
   return lines;
 }
 
@@ -90,26 +183,25 @@ std::vector<BlockedLine> lines_of(const BlockMesh& block) {
 /// contact::InputError with the advice to change `what` when gmsh fails.
 BlockedSection mesh_around(const BlockMesh& block, const std::vector<BlockedLine>& polygon,
                            const std::string& what) {
-  BlockedSection result{BlockNodes(block).section(), 0};
+  BlockedSection result{block.section(), 0};
   Section& section = result.section;
   result.block_quads = section.quads.size();
-  const std::vector<int> around = BlockNodes(block).around();
+  const std::vector<int> around = block.around();
   std::vector<SectionPoint> corners;
   corners.reserve(polygon.size());
   for (const BlockedLine& line : polygon) corners.push_back(line.begin);
   const PlaneMesh rest = mesh_polygon(corners, what);
-  const auto distance = [&](int node, int other) {
-    const SectionPoint &a = section.points[node], &b = rest.points[other];
-    return std::hypot(a[0] - b[0], a[1] - b[1]);
-  };
   // Nodes on the sides of the block are the block's nodes.
   std::vector<int> number(rest.points.size(), -1);
-  for (std::size_t e = 0; e < rest.edges.size(); ++e)
-    if (polygon[rest.line[e]].of_block)
-      for (const int end : rest.edges[e])
-        number[end] = *std::min_element(around.begin(), around.end(), [&](int a, int b) {
-          return distance(a, end) < distance(b, end);
-        });
+  for (const auto& [ends, line] : rest.edges)
+    if (polygon[line].of_block)
+      for (const int end : ends) {
+        const auto to_node = [&, end = end](int node) {
+          return distance(section.points[node], rest.points[end]);
+        };
+        number[end] = *std::min_element(around.begin(), around.end(),
+                                        [&](int a, int b) { return to_node(a) < to_node(b); });
+      }
   for (std::size_t k = 0; k < rest.points.size(); ++k) {
     if (number[k] >= 0) continue;
     number[k] = static_cast<int>(section.points.size());
@@ -117,10 +209,10 @@ BlockedSection mesh_around(const BlockMesh& block, const std::vector<BlockedLine
   }
   for (const auto& quad : rest.quads)
     section.quads.push_back({number[quad[0]], number[quad[1]], number[quad[2]], number[quad[3]]});
-  for (std::size_t e = 0; e < rest.edges.size(); ++e) {
-    const std::optional<Side> side = polygon[rest.line[e]].side;
+  for (const auto& [ends, line] : rest.edges) {
+    const std::optional<Side> side = polygon[line].side;
     if (!side) continue;
-    section.edges.push_back({{number[rest.edges[e][0]], number[rest.edges[e][1]]}, *side});
+    section.edges.push_back({{number[ends[0]], number[ends[1]]}, *side});
     // gmsh has put the node in the middle on the chord.
     if (side == Side::contact)
       for (const int end : section.edges.back().ends)
@@ -159,8 +251,8 @@ ProfileNodes profile_nodes(const SectionOptions& options) {
                     "section: enlarge [fem] width or extent",
                     begin, options.half_width));
   const auto steps = outward_steps(step, step, options.half_width - begin);
-  double sum = 0.0, at = 0.0;
-  for (const double s : steps) sum += s;
+  const double sum = std::accumulate(steps.begin(), steps.end(), 0.0);
+  double at = 0.0;
   for (const double s : steps)
     nodes.y.push_back(begin + (at += s) * (options.half_width - begin) / sum);
   nodes.y.back() = options.half_width;
@@ -218,8 +310,8 @@ class Around {
 
  private:
   void add_equal(const SectionPoint& from, const SectionPoint& to, double step) {
-    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
-    const int count = std::max(2, contact::count_of(std::round(length / step), of_section));
+    const int count =
+        std::max(2, contact::count_of(std::round(distance(from, to) / step), of_section));
     for (int k = 0; k < count; ++k) {
       const double share = static_cast<double>(k) / count;
       lines_.push_back({{from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])},
@@ -247,10 +339,6 @@ constexpr double growth = 0.5;
 constexpr double longest = 16.0;  // mm
 /// Largest turn of a line, rad.
 constexpr double largest_turn = 0.6;
-
-double distance(const SectionPoint& a, const SectionPoint& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
-}
 
 /// Points along a path at about the requested spacing: both ends, and between them as many as the
 /// sum of ds / length plus the turning requires.

@@ -10,6 +10,15 @@
 
 namespace rollfem::meshes {
 
+/// One session at a time in a process, because gmsh has global state.
+class GmshSession {
+ public:
+  GmshSession();
+  ~GmshSession();
+  GmshSession(const GmshSession&) = delete;
+  GmshSession& operator=(const GmshSession&) = delete;
+};
+
 /// Parameters of a cross-section. Coordinates are y and v, where v is the distance from z = 0 into
 /// the body.
 struct SectionOptions {

@@ -4,7 +4,7 @@
 #include "meshes/msh_file.hpp"
 
 #include "base/text_fields.hpp"
-#include "meshes/msh_parts.hpp"
+#include "meshes/msh_bytes.hpp"
 
 #include <climits>
 #include <fmt/format.h>
@@ -12,14 +12,45 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <set>
+#include <unordered_map>
 
 namespace rollfem::meshes {
 
 namespace {
 
 constexpr std::int64_t largest_number = INT64_MAX;
+/// A kind of element, by its number in .msh files.
+struct MshKind {
+  int dimension;
+  int nodes;
+  const char* name;  ///< "Tetrahedron 4"
+};
+
+constexpr int quadrilateral_corners = 4;
+constexpr int hexahedron_corners = 8;
+/// mm: exceeded by meshes in micrometres or with garbage.
+constexpr double farthest = 1e9;
+
+/// gmsh's names and numbers.
+const std::map<std::int64_t, MshKind> kinds{
+    {1, {1, 2, "Line 2"}},           {2, {2, 3, "Triangle 3"}},
+    {3, {2, 4, "Quadrilateral 4"}},  {4, {3, 4, "Tetrahedron 4"}},
+    {5, {3, 8, "Hexahedron 8"}},     {6, {3, 6, "Prism 6"}},
+    {7, {3, 5, "Pyramid 5"}},        {8, {1, 3, "Line 3"}},
+    {9, {2, 6, "Triangle 6"}},       {10, {2, 9, "Quadrilateral 9"}},
+    {11, {3, 10, "Tetrahedron 10"}}, {12, {3, 27, "Hexahedron 27"}},
+    {13, {3, 18, "Prism 18"}},       {14, {3, 14, "Pyramid 14"}},
+    {15, {0, 1, "Point"}},           {16, {2, 8, "Quadrilateral 8"}},
+    {17, {3, 20, "Hexahedron 20"}},  {18, {3, 15, "Prism 15"}},
+    {19, {3, 13, "Pyramid 13"}},     {20, {2, 9, "Triangle 9"}},
+    {21, {2, 10, "Triangle 10"}},    {26, {1, 4, "Line 4"}},
+    {29, {3, 20, "Tetrahedron 20"}}, {36, {2, 16, "Quadrilateral 16"}},
+    {92, {3, 64, "Hexahedron 64"}}};
+
 class MshReader {
  public:
   MshReader(const std::string& path, const std::string& name) : bytes_(path, name) {}
@@ -35,13 +66,28 @@ class MshReader {
   void read_elements();
   void read_old_elements();
   std::size_t read_old_block(std::size_t left);
+  /// Throws for a number that is not one of gmsh's kinds, and for cells other than hexahedra.
+  const MshKind& kind_of(std::int64_t type) const;
   void read_node(std::int64_t number);
+  /// `group`: of faces (4.1: the surface, 2.2: the physical group).
   void read_element(std::int64_t number, const MshKind& kind, int group);
   void check_sum(const char* what, const char* section, std::size_t read, std::size_t all) const;
   std::vector<Side> sides_of(int group) const;
+  /// The hexahedra with their nodes, and the faces with a side.
+  HexMesh mesh() const;
+
+  struct Face {
+    std::size_t place;  ///< in the file
+    int count;          ///< of nodes, 4 for a quadrilateral
+    std::array<int, 4> corners{};
+  };
 
   MshBytes bytes_;
-  MshElements elements_{bytes_};
+  std::vector<std::array<double, 3>> points_;
+  std::unordered_map<std::int64_t, int> index_;  ///< in points_, by number
+  std::vector<std::array<int, 8>> cells_;
+  std::set<std::array<int, 8>> once_;          ///< the cells of 2.2
+  std::map<int, std::vector<Face>> faces_;     ///< by group
   std::map<int, Side> side_of_group_;          ///< by the number of the physical group
   std::map<int, std::vector<int>> groups_of_;  ///< 4.1: physical groups of each surface
 };
@@ -57,25 +103,25 @@ void MshReader::read_format() {
                      "save it in the format 4.1 or 2.2 (gmsh -format msh41)");
   const bool sized = fields[2] == "8" || (fields[2] == "4" && fields[0] == "4.1");
   if ((fields[1] != "0" && fields[1] != "1") || !sized)
-    bytes_.fail(fmt::format("file type and data size are {} {}; allowed: 0 (text) or 1 (binary), "
-                            "and 8",
-                            contact::printable(fields[1]), contact::printable(fields[2])),
-                save_msh_again);
+    bytes_.fail(
+        fmt::format("file type and data size are {} {}; allowed: 0 (text) or 1 (binary), "
+                    "and 8",
+                    contact::printable(fields[1]), contact::printable(fields[2])));
   bytes_.set_format({fields[0] == "2.2", fields[1] == "1", fields[2] == "4" ? 4U : 8U});
   if (!bytes_.format().binary) return;
   if (const std::int64_t one = bytes_.integer("the number 1", INT_MIN, INT_MAX); one == 1 << 24)
     bytes_.fail("the numbers are in another byte order",
                 "save it as text (gmsh -format msh41 without -bin)");
   else if (one != 1)
-    bytes_.fail(fmt::format("the byte-order mark is {}; allowed: 1", one), save_msh_again);
+    bytes_.fail(fmt::format("the byte-order mark is {}; allowed: 1", one));
 }
 
 /// Text even in a binary file: the count, then lines `dimension number "name"`.
 void MshReader::read_names() {
   const auto count = contact::whole_number_of(bytes_.line());
-  if (!count || *count < 0) bytes_.fail("the number of physical names is missing", save_msh_again);
+  if (!count || *count < 0) bytes_.fail("the number of physical names is missing");
   for (int k = 0; k < *count; ++k) {
-    if (bytes_.at_end()) bytes_.fail("the file ends inside $PhysicalNames", save_msh_again);
+    if (bytes_.at_end()) bytes_.fail("the file ends inside $PhysicalNames");
     const std::string_view line = bytes_.line();
     const std::size_t begin = line.find('"');
     const auto fields = contact::fields_of(line.substr(0, begin), " \t");
@@ -87,8 +133,7 @@ void MshReader::read_names() {
         dimension < 0 || group < 0)
       bytes_.fail(
           fmt::format("`{}` is not a physical name; allowed: dimension, number and \"name\"",
-                      contact::printable(line)),
-          save_msh_again);
+                      contact::printable(line)));
     const std::string_view name = line.substr(begin + 1, line.size() - begin - 2);
     for (std::size_t side = 0; side < side_names.size(); ++side)
       if (dimension == 2 && name == side_names[side])
@@ -120,23 +165,59 @@ void MshReader::read_entities() {
       read_entity(dimension);
 }
 
+const MshKind& MshReader::kind_of(std::int64_t type) const {
+  const auto found = kinds.find(type);
+  if (found == kinds.end())
+    bytes_.fail(fmt::format("gmsh's element type {} is not supported; allowed: 1 (lines), 3 "
+                            "(quadrilaterals), 5 (hexahedra), 15 (points)",
+                            type),
+                "mesh with hexahedra of order 1");
+  if (found->second.dimension == 3 && found->second.nodes != hexahedron_corners)
+    bytes_.fail(fmt::format("there are cells of type {}; allowed: hexahedra with 8 corners",
+                            found->second.name),
+                "mesh with hexahedra of order 1 (transfinite, or an extruded recombined section)");
+  return found->second;
+}
+
 void MshReader::read_node(std::int64_t number) {
   std::array<double, 3> place{};
   for (double& coordinate : place) coordinate = bytes_.real("a coordinate of a node");
-  elements_.add_node(number, place);
+  for (const double c : place)
+    if (!(std::abs(c) <= farthest))
+      bytes_.fail(fmt::format("node {} is at ({}, {}, {}) mm; allowed: magnitudes up to {:g}",
+                              number, place[0], place[1], place[2], farthest),
+                  "save the mesh again, in mm");
+  if (!index_.try_emplace(number, static_cast<int>(points_.size())).second)
+    bytes_.fail(fmt::format("there are two nodes with the number {}", number),
+                "renumber the nodes (in gmsh Renumber Mesh Nodes)");
+  points_.push_back(place);
 }
 
 void MshReader::read_element(std::int64_t number, const MshKind& kind, int group) {
+  // All are read first: a failure names the last of them.
   std::vector<std::int64_t> nodes(static_cast<std::size_t>(kind.nodes));
   for (std::int64_t& node : nodes) node = bytes_.large("a node of an element", 1, largest_number);
-  elements_.add(number, kind, group, nodes);
+  std::array<int, 8> corners{};
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const auto found = index_.find(nodes[k]);
+    if (found == index_.end())
+      bytes_.fail(fmt::format(
+          "element {} refers to node {}, which does not exist; allowed: nodes listed in $Nodes",
+          number, nodes[k]));
+    if (k < corners.size()) corners[k] = found->second;
+  }
+  if (kind.dimension == 2)
+    faces_[group].push_back(
+        {bytes_.place(), kind.nodes, {corners[0], corners[1], corners[2], corners[3]}});
+  // In 2.2 a cell is repeated with another number for each physical group that it belongs to.
+  if (kind.dimension == 3 && (!bytes_.format().old || once_.insert(corners).second))
+    cells_.push_back(corners);
 }
 
 void MshReader::check_sum(const char* what, const char* section, std::size_t read,
                           std::size_t all) const {
   if (read != all)
-    bytes_.fail(fmt::format("there are {} {}, but {} begins with {}", read, what, section, all),
-                save_msh_again);
+    bytes_.fail(fmt::format("there are {} {}, but {} begins with {}", read, what, section, all));
 }
 
 void MshReader::read_nodes() {
@@ -177,11 +258,10 @@ void MshReader::read_elements() {
     const std::int64_t dimension = bytes_.integer("the dimension of an entity", 0, 3);
     const auto entity =
         static_cast<int>(bytes_.integer("the number of an entity", INT_MIN, INT_MAX));
-    const MshKind& kind = elements_.kind(bytes_.integer("the type of elements", 1, INT_MAX));
+    const MshKind& kind = kind_of(bytes_.integer("the type of elements", 1, INT_MAX));
     if (kind.dimension != dimension)
-      bytes_.fail(
-          fmt::format("elements of type {} are in an entity of dimension {}", kind.name, dimension),
-          save_msh_again);
+      bytes_.fail(fmt::format("elements of type {} are in an entity of dimension {}", kind.name,
+                              dimension));
     const auto each = static_cast<std::size_t>(kind.nodes) + 1;
     const std::size_t count = bytes_.count("the number of elements of a block", 2 * each, 4 * each);
     for (std::size_t k = 0; k < count; ++k)
@@ -196,7 +276,7 @@ void MshReader::read_elements() {
 std::size_t MshReader::read_old_block(std::size_t left) {
   const bool binary = bytes_.format().binary;
   std::int64_t number = binary ? 0 : bytes_.integer("an element", INT_MIN, INT_MAX);
-  const MshKind& kind = elements_.kind(bytes_.integer("the type of an element", 1, INT_MAX));
+  const MshKind& kind = kind_of(bytes_.integer("the type of an element", 1, INT_MAX));
   const auto most = static_cast<std::int64_t>(left);
   const std::int64_t count =
       binary ? bytes_.integer("the number of elements of a kind", 1, most) : 1;
@@ -232,6 +312,45 @@ std::vector<Side> MshReader::sides_of(int group) const {
   return sides;
 }
 
+HexMesh MshReader::mesh() const {
+  HexMesh mesh;
+  std::vector<int> number(points_.size(), -1);
+  for (std::array<int, 8> cell : cells_) {
+    for (int& corner : cell) {
+      int& own = number[static_cast<std::size_t>(corner)];
+      if (own < 0) {
+        own = static_cast<int>(mesh.points.size());
+        mesh.points.push_back(points_[static_cast<std::size_t>(corner)]);
+      }
+      corner = own;
+    }
+    mesh.cells.push_back(cell);
+  }
+  for (const auto& [group, faces] : faces_)
+    for (const Side side : sides_of(group))
+      for (const Face& face : faces) {
+        const char* const name = side_names[static_cast<std::size_t>(side)];
+        if (face.count != quadrilateral_corners)
+          bytes_.fail_at(
+              face.place,
+              fmt::format("the group `{}` has faces that are not quadrilaterals with 4 corners",
+                          name),
+              "recombine the surface mesh");
+        SideQuad quad{face.corners, side};
+        for (int& corner : quad.corners) {
+          corner = number[static_cast<std::size_t>(corner)];
+          if (corner < 0)
+            bytes_.fail_at(
+                face.place,
+                fmt::format("the group `{}` has a face that is not a face of a hexahedron", name),
+                "save the volume cells too: put the volume into a physical group (gmsh "
+                "then saves it), or set Mesh.SaveAll = 1");
+        }
+        mesh.sides.push_back(quad);
+      }
+  return mesh;
+}
+
 HexMesh MshReader::read() {
   const bool& old = bytes_.format().old;
   const std::map<std::string, std::function<void()>> readers{
@@ -253,31 +372,28 @@ HexMesh MshReader::read() {
                        "export it from gmsh as .msh");
     if (line.empty() || line.front() != '$')
       bytes_.fail(fmt::format("`{}` does not start a section; allowed: $Nodes, $Elements, ...",
-                              contact::printable(line)),
-                  save_msh_again);
+                              contact::printable(line)));
     const std::string section = line.substr(1), end = "$End" + section;
     const auto reader = readers.find(section);
     if (reader == readers.end()) {
       if (!bytes_.pass(end))
         bytes_.fail(fmt::format("the section {} has no {}", contact::printable(line),
-                                contact::printable(end)),
-                    save_msh_again);
+                                contact::printable(end)));
       continue;
     }
     if (!seen.insert(section).second)
-      bytes_.fail(fmt::format("there is a second section {}", line), save_msh_again);
+      bytes_.fail(fmt::format("there is a second section {}", line));
     reader->second();
-    if (bytes_.at_end()) bytes_.fail(fmt::format("the file ends before {}", end), save_msh_again);
+    if (bytes_.at_end()) bytes_.fail(fmt::format("the file ends before {}", end));
     if (const std::string_view found = bytes_.line(); found != end)
-      bytes_.fail(fmt::format("expected {}, got `{}`", end, contact::printable(found)),
-                  save_msh_again);
+      bytes_.fail(fmt::format("expected {}, got `{}`", end, contact::printable(found)));
   }
   if (seen.empty())
     bytes_.fail_file("is not a gmsh mesh: it is empty", "export it from gmsh as .msh");
   for (const char* section : {"Nodes", "Elements"})
     if (seen.count(section) == 0)
-      bytes_.fail(fmt::format("there is no section ${} in the file", section), save_msh_again);
-  return elements_.mesh([&](int group) { return sides_of(group); });
+      bytes_.fail(fmt::format("there is no section ${} in the file", section));
+  return mesh();
 }
 
 // Writing gmsh's format 4.1 as text.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Coarse meshes of wheel and rail segments generated with gmsh: the cross-section in
-// quadrilaterals, then revolved about the axle or extruded along the track.
+// Coarse meshes of segments of wheel and rail: step sizes of a graded line, and the cross-section
+// in quadrilaterals, revolved about the axle or extruded along the track.
 #pragma once
 
 #include "meshes/hex_mesh.hpp"
@@ -10,6 +10,13 @@
 #include <vector>
 
 namespace rollfem::meshes {
+
+/// Steps from 0 outwards that add up to `extent` (at least the length of the equal steps): equal
+/// steps of size `first` until `fine` is covered, then growing by the factor `growth`.
+std::vector<double> outward_steps(double first, double fine, double extent, double growth = 1.5);
+
+/// Points -..., 0, ...+ with the steps in both directions.
+std::vector<double> points_both_ways(const std::vector<double>& outward);
 
 /// In the plane of a section, mm: y and z, or y and v.
 using SectionPoint = std::array<double, 2>;

@@ -4,7 +4,7 @@
 #include "base/errors.hpp"
 #include "fem/mesh/chart.hpp"
 #include "fem/mesh/coarse_mesh.hpp"
-#include "meshes/grading.hpp"
+#include "meshes/segment_mesh.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>

@@ -5,9 +5,9 @@
 #include "base/errors.hpp"
 #include "fem/mesh/chart.hpp"
 #include "meshes/gmsh_sections.hpp"
-#include "meshes/grading.hpp"
 #include "meshes/hex_mesh.hpp"
 #include "meshes/msh_file.hpp"
+#include "meshes/segment_mesh.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>

@@ -4,7 +4,7 @@
 // three dimensions under a patch so wide that its middle is in plane strain.
 #pragma once
 
-#include "meshes/grading.hpp"
+#include "meshes/segment_mesh.hpp"
 
 #include "support/fem_rolled_body.hpp"
 #include "support/mesh_examples.hpp"

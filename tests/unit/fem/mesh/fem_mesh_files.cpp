@@ -2,8 +2,8 @@
 // gmsh cross-sections and sweeps, mesh files read and written, and every mesh that is refused.
 #include "base/errors.hpp"
 #include "meshes/gmsh_sections.hpp"
-#include "meshes/grading.hpp"
 #include "meshes/hex_mesh.hpp"
+#include "meshes/segment_mesh.hpp"
 
 #include "support/mesh_examples.hpp"
 

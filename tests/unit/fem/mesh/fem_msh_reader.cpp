@@ -2,7 +2,7 @@
 // Files that gmsh itself writes in every format are read as gmsh reads them; each way in which a
 // file can be wrong has a message with its place.
 #include "base/errors.hpp"
-#include "meshes/gmsh_session.hpp"
+#include "meshes/gmsh_sections.hpp"
 #include "meshes/msh_file.hpp"
 
 #include <gmsh.h>
