@@ -71,10 +71,10 @@ void add(std::string& text, const char* name, Values... values) {
 
 void add(std::string& text, const char* name, const contact::HeightCurve& curve) {
   text += name;
-  for (const double y : curve.knots()) {
-    const contact::CurveValue at = curve.at(y);
+  for (const contact::HeightKnot& knot : curve.knots()) {
+    const contact::CurveValue at = curve.at(knot.y);
     // Heights are computed at positions found as roots, whose error affects the last digits.
-    fmt::format_to(std::back_inserter(text), " {:.8f} {:.8f} {:.8f}", y, at.value, at.slope);
+    fmt::format_to(std::back_inserter(text), " {:.8f} {:.8f} {:.8f}", knot.y, at.value, at.slope);
   }
   text += '\n';
 }

@@ -21,6 +21,7 @@ namespace {
 
 using contact::InputError;
 using contact::ProfileSource;
+using Knots = std::vector<ProfileKnot>;
 
 /// Point of a piece (arc, polynomial) at its local parameter, with derivatives by that parameter.
 struct PiecePoint {
@@ -40,13 +41,9 @@ double arc_length(const std::function<PiecePoint(double)>& piece, double from, d
   return std::abs(boost::math::quadrature::gauss<double, 5>::integrate(speed, from, to));
 }
 
-void append(ProfileKnots& knots, double parameter, const PiecePoint& point, double direction) {
+ProfileKnot knot_at(double parameter, const PiecePoint& point, double direction) {
   const double speed = direction * std::hypot(point.dy, point.dz);
-  knots.parameter.push_back(parameter);
-  knots.y.push_back(point.y);
-  knots.z.push_back(point.z);
-  knots.dy.push_back(point.dy / speed);
-  knots.dz.push_back(point.dz / speed);
+  return {parameter, point.y, point.z, point.dy / speed, point.dz / speed};
 }
 
 /// Value and slope at y of a polynomial, lowest power first.
@@ -60,10 +57,10 @@ std::array<double, 2> polynomial(const double* coefficients, std::size_t count, 
 }
 
 /// Adds a piece between two of its parameters, starting at the end of the previous piece.
-void append_piece(ProfileKnots& knots, const std::function<PiecePoint(double)>& piece, double from,
+void append_piece(Knots& knots, const std::function<PiecePoint(double)>& piece, double from,
                   double to, double distance = knot_distance) {
   const double direction = to > from ? 1.0 : -1.0;
-  if (knots.parameter.empty()) append(knots, 0.0, piece(from), direction);
+  if (knots.empty()) knots.push_back(knot_at(0.0, piece(from), direction));
   double length = 0.0;
   constexpr int parts = 16;
   for (int k = 0; k < parts; ++k)
@@ -75,7 +72,8 @@ void append_piece(ProfileKnots& knots, const std::function<PiecePoint(double)>& 
   double before = from;
   for (int k = 1; k <= steps; ++k) {
     const double here = k == steps ? to : from + (to - from) * k / steps;
-    append(knots, knots.parameter.back() + arc_length(piece, before, here), piece(here), direction);
+    knots.push_back(
+        knot_at(knots.back().parameter + arc_length(piece, before, here), piece(here), direction));
     before = here;
   }
 }
@@ -144,7 +142,7 @@ Station checked(const Station& station, double radius, const std::string& name) 
                   name, radius, station.y));
 }
 
-void append(ProfileKnots& knots, const Station& from, const Station& to, double curvature) {
+void append_arc(Knots& knots, const Station& from, const Station& to, double curvature) {
   if (curvature == 0.0) {
     const double dy = to.y - from.y, dz = to.z - from.z;
     append_piece(
@@ -309,7 +307,8 @@ contact::HeightCurve correction(std::size_t zone, bool move_c) {
   contact::CurveValue left, right;
   if (zone > 0) left = to_neighbour(zone, false, move_c);
   if (zone + 1 < zones.size()) right = to_neighbour(zone, true, move_c);
-  return {{zones[zone].from, zones[zone].to}, {left.value, right.value}, {left.slope, right.slope}};
+  return contact::HeightCurve(
+      {{zones[zone].from, left.value, left.slope}, {zones[zone].to, right.value, right.slope}});
 }
 
 /// Between two points of the Manchester list, the step at an end of zone C is blended from the left
@@ -333,7 +332,7 @@ PiecePoint blended(const Blend& blend, double y) {
 }
 
 /// Part of a zone.
-void append_zone(ProfileKnots& knots, std::size_t index, double from, double to, bool move_c) {
+void append_zone(Knots& knots, std::size_t index, double from, double to, bool move_c) {
   const Zone& zone = zones[index];
   const contact::HeightCurve more = correction(index, move_c);
   append_piece(
@@ -353,7 +352,7 @@ void append_zone(ProfileKnots& knots, std::size_t index, double from, double to,
 /// formulas hold everywhere except within 0.23 mm about y = -35 and 0.31 mm about y = -26, where
 /// their steps are blended.
 ProfileCurve s1002(bool smooth) {
-  ProfileKnots knots;
+  Knots knots;
   for (std::size_t k = 0; k < zones.size(); ++k) {
     double from = zones[k].from;
     double to = zones[k].to;
@@ -395,9 +394,9 @@ ProfileCurve arc_profile_curve(const ProfileSource& source, bool wheel, const st
     station = checked(along(station, curvature[k - 1], arcs.ends[k]), arcs.radii[k - 1], name);
     stations[k] = station;
   }
-  ProfileKnots knots;
+  Knots knots;
   for (std::size_t k = 0; k < curvature.size(); ++k)
-    append(knots, stations[k], stations[k + 1], curvature[k]);
+    append_arc(knots, stations[k], stations[k + 1], curvature[k]);
   return ProfileCurve(std::move(knots));
 }
 
@@ -413,7 +412,7 @@ ProfileCurve polynomial_profile_curve(const ProfileSource& source, const std::st
     throw InputError(
         fmt::format("{}: the limits of the polynomials must increase; do: order them", name));
   const std::size_t count = source.coefficients.size() / pieces;
-  ProfileKnots knots;
+  Knots knots;
   for (std::size_t k = 0; k < pieces; ++k) {
     const double* coefficients = source.coefficients.data() + k * count;
     if (k + 1 < pieces) check_joint(coefficients, count, source.limits[k + 1], name);

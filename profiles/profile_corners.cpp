@@ -179,14 +179,15 @@ double least_smoothing(const ProfilePoints& points, const ProfileSource& source)
   return 0.0;
 }
 
-std::vector<std::size_t> kinks_of(const PointRow& row) {
+std::vector<double> kinks_of(const ProfileCurve& curve) {
   ProfilePoints points;
-  for (std::size_t k = 0; k < row.y.size(); ++k) points.list.push_back({row.y[k], row.z[k], 0});
+  for (const ProfileKnot& knot : curve.knots()) points.list.push_back({knot.y, knot.z, 0});
   const std::vector<char> found = corners(points, ProfileSource{}.largest_kink, 0.0);
-  std::vector<std::size_t> kinks;
+  std::vector<double> kinks;
   for (std::size_t k = 1, first = 0; k + 1 < found.size(); ++k) {
     if (found[k] == kink && found[k - 1] != kink) first = k;
-    if (found[k] == kink && found[k + 1] != kink) kinks.push_back((first + k) / 2);
+    if (found[k] == kink && found[k + 1] != kink)
+      kinks.push_back(curve.knots()[(first + k) / 2].parameter);
   }
   return kinks;
 }

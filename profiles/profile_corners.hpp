@@ -10,8 +10,9 @@ namespace rollfem::profiles {
 /// suggests scatter; otherwise 0.
 double least_smoothing(const ProfilePoints& points, const contact::ProfileSource& source);
 
-/// Kinks beyond those that a file may have by default; of points that share one the middle.
-std::vector<std::size_t> kinks_of(const PointRow& row);
+/// Parameters of kinks beyond those that a file may have by default; of points that share one the
+/// middle.
+std::vector<double> kinks_of(const ProfileCurve& curve);
 
 /// Bridges kinks and steps over `rounding`, or throws PointFault.
 void treat_corners(ProfilePoints& points, const contact::ProfileSource& source);

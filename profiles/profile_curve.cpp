@@ -45,51 +45,53 @@ int subdivisions(const ProfilePoint& a, const ProfilePoint& b) {
   return static_cast<int>(std::clamp(std::ceil((b.y - a.y) * rate / fraction), 1.0, 64.0));
 }
 
+bool is_before(double parameter, const ProfileKnot& knot) {
+  return parameter < knot.parameter;
+}
+
 }  // namespace
 
-ProfileCurve::ProfileCurve(ProfileKnots knots) : knots_(std::move(knots)) {
-  const std::size_t n = knots_.parameter.size();
-  if (n < 2 || knots_.y.size() != n || knots_.z.size() != n || knots_.dy.size() != n ||
-      knots_.dz.size() != n)
-    throw std::invalid_argument("a profile curve needs at least two knots, each with a tangent");
-  for (std::size_t k = 1; k < n; ++k)
-    if (!(knots_.parameter[k] > knots_.parameter[k - 1]))
+ProfileCurve::ProfileCurve(std::vector<ProfileKnot> knots, double rounding)
+    : knots_(std::move(knots)), rounding_(rounding) {
+  if (knots_.size() < 2) throw std::invalid_argument("a profile curve needs at least two knots");
+  for (std::size_t k = 1; k < knots_.size(); ++k)
+    if (!(knots_[k].parameter > knots_[k - 1].parameter))
       throw std::invalid_argument("the parameters of a profile curve must increase");
-  highest_y_.resize(n);
-  lowest_y_.resize(n);
-  highest_y_[0] = lowest_y_[0] = knots_.y[0];
-  for (std::size_t k = 1; k < n; ++k) {
-    highest_y_[k] = std::max(highest_y_[k - 1], knots_.y[k]);
-    lowest_y_[k] = std::min(lowest_y_[k - 1], knots_.y[k]);
+  double highest = knots_.front().y, lowest = highest;
+  for (const ProfileKnot& knot : knots_) {
+    highest_y_.push_back(highest = std::max(highest, knot.y));
+    lowest_y_.push_back(lowest = std::min(lowest, knot.y));
   }
 }
 
+std::array<contact::CurveValue, 2> ProfileCurve::by_parameter(double parameter) const {
+  const auto [k, length, part] =
+      contact::piece_of(knots_, parameter, [](const ProfileKnot& knot) { return knot.parameter; });
+  const ProfileKnot &a = knots_[k], &b = knots_[k + 1];
+  return {contact::hermite(length, part, a.y, b.y, a.dy, b.dy),
+          contact::hermite(length, part, a.z, b.z, a.dz, b.dz)};
+}
+
 ProfilePoint ProfileCurve::at(double parameter) const {
-  const contact::KnotPiece piece = contact::piece_of(knots_.parameter, parameter);
-  const auto coordinate = [&](const std::vector<double>& value, const std::vector<double>& slope) {
-    const std::size_t a = piece.first, b = a + 1;
-    return contact::hermite(piece.length, piece.part, value[a], value[b], slope[a], slope[b]);
-  };
-  const contact::CurveValue y = coordinate(knots_.y, knots_.dy),
-                            z = coordinate(knots_.z, knots_.dz);
+  const auto [y, z] = by_parameter(parameter);
   const double speed = std::hypot(y.slope, z.slope);
   return {y.value, z.value, y.slope / speed, z.slope / speed,
           (y.slope * z.second - z.slope * y.second) / (speed * speed * speed)};
 }
 
 double ProfileCurve::parameter_at(double y) const {
-  const double start = knots_.y.front();
+  const double start = knots_.front().y;
   const bool up = y >= start;
   const auto& reached = up ? highest_y_ : lowest_y_;
   if (up ? y > reached.back() : y < reached.back())
-    return std::abs(y - start) < std::abs(y - knots_.y.back()) ? first() : last();
+    return std::abs(y - start) < std::abs(y - knots_.back().y) ? first() : last();
   const auto found =
       up ? std::lower_bound(reached.begin(), reached.end(), y)
          : std::lower_bound(reached.begin(), reached.end(), y, std::greater<double>());
   const auto knot = static_cast<std::size_t>(found - reached.begin());
   if (knot == 0) return first();
-  double below = knots_.parameter[knot - 1];
-  double above = knots_.parameter[knot];
+  double below = knots_[knot - 1].parameter;
+  double above = knots_[knot].parameter;
   for (int step = 0; step < 60 && above - below > 1e-14 * std::abs(above); ++step) {
     const double middle = 0.5 * (below + above);
     ((at(middle).y < y) == up ? below : above) = middle;
@@ -100,38 +102,29 @@ double ProfileCurve::parameter_at(double y) const {
 ProfileCurve ProfileCurve::moved(double angle, double y, double z) const {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
-  ProfileKnots result = knots_;
-  for (std::size_t k = 0; k < result.y.size(); ++k) {
-    result.y[k] = c * knots_.y[k] - s * knots_.z[k] + y;
-    result.z[k] = s * knots_.y[k] + c * knots_.z[k] + z;
-    result.dy[k] = c * knots_.dy[k] - s * knots_.dz[k];
-    result.dz[k] = s * knots_.dy[k] + c * knots_.dz[k];
-  }
-  return ProfileCurve(std::move(result));
+  std::vector<ProfileKnot> result;
+  result.reserve(knots_.size());
+  for (const ProfileKnot& knot : knots_)
+    result.push_back({knot.parameter, c * knot.y - s * knot.z + y, s * knot.y + c * knot.z + z,
+                      c * knot.dy - s * knot.dz, s * knot.dy + c * knot.dz});
+  return ProfileCurve(std::move(result), rounding_);
 }
 
 ProfileCurve ProfileCurve::part(double from, double to) const {
-  const std::vector<double>& all = knots_.parameter;
-  auto begin = std::upper_bound(all.begin(), all.end() - 1, from);
-  auto end = std::lower_bound(begin, all.end(), to);
-  if (begin != all.begin()) --begin;
-  if (end != all.end()) ++end;
+  auto begin = std::upper_bound(knots_.begin(), knots_.end() - 1, from, is_before);
+  auto end = std::partition_point(begin, knots_.end(),
+                                  [&](const ProfileKnot& knot) { return knot.parameter < to; });
+  if (begin != knots_.begin()) --begin;
+  if (end != knots_.end()) ++end;
   if (end - begin < 2) begin = end - 2;
-  const auto cut = [&](const std::vector<double>& list) {
-    return std::vector<double>(list.begin() + (begin - all.begin()),
-                               list.begin() + (end - all.begin()));
-  };
-  return ProfileCurve({cut(knots_.parameter), cut(knots_.y), cut(knots_.z), cut(knots_.dy),
-                       cut(knots_.dz), knots_.rounding});
+  return ProfileCurve({begin, end}, rounding_);
 }
 
 ProfileCurve ProfileCurve::mirrored() const {
-  ProfileKnots result = knots_;
-  for (auto* list : {&result.parameter, &result.y, &result.z, &result.dy, &result.dz})
-    std::reverse(list->begin(), list->end());
-  for (auto* list : {&result.parameter, &result.y, &result.dz})
-    for (double& value : *list) value = -value;
-  return ProfileCurve(std::move(result));
+  std::vector<ProfileKnot> result(knots_.rbegin(), knots_.rend());
+  for (ProfileKnot& knot : result)
+    for (double* value : {&knot.parameter, &knot.y, &knot.dz}) *value = -*value;
+  return ProfileCurve(std::move(result), rounding_);
 }
 
 Valley deepest_valley(const std::vector<double>& z) {
@@ -155,28 +148,25 @@ double median(std::vector<double> values) {
 }
 
 double parameter_near(const ProfileCurve& curve, double y, double z) {
-  const ProfileKnots& knots = curve.knots();
-  std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < knots.y.size(); ++k) {
-    const double square = (knots.y[k] - y) * (knots.y[k] - y) + (knots.z[k] - z) * (knots.z[k] - z);
-    if (square < least) least = square, nearest = k;
-  }
-  return knots.parameter[nearest];
+  const auto square = [&](const ProfileKnot& knot) {
+    return (knot.y - y) * (knot.y - y) + (knot.z - z) * (knot.z - z);
+  };
+  return std::min_element(curve.knots().begin(), curve.knots().end(),
+                          [&](const auto& a, const auto& b) { return square(a) < square(b); })
+      ->parameter;
 }
 
 std::vector<double> dense_parameters(const ProfileCurve& curve, double step, double least) {
   std::vector<double> result;
-  const std::vector<double>& knots = curve.knots().parameter;
-  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    if (!result.empty() && knots[k] - result.back() < least) continue;
-    const double length = knots[k + 1] - knots[k];
+  for (auto knot = curve.knots().begin(); knot + 1 != curve.knots().end(); ++knot) {
+    const double here = knot->parameter, length = (knot + 1)->parameter - here;
+    if (!result.empty() && here - result.back() < least) continue;
     const int parts =
         std::max(1, contact::count_of(std::ceil(length / step), "points along a profile"));
-    for (int i = 0; i < parts; ++i) result.push_back(knots[k] + length * i / parts);
+    for (int i = 0; i < parts; ++i) result.push_back(here + length * i / parts);
   }
-  if (knots.back() - result.back() < least && result.size() > 1) result.pop_back();
-  result.push_back(knots.back());
+  if (curve.last() - result.back() < least && result.size() > 1) result.pop_back();
+  result.push_back(curve.last());
   return result;
 }
 
@@ -188,7 +178,7 @@ contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter) 
         "touch; allowed: contact on parts that are heights over y; do: correct the "
         "profile, its rotation or mirror, or move the wheel",
         here.y));
-  const auto& knots = curve.knots().parameter;
+  const auto& knots = curve.knots();
   // Knots of the usable part, searched outwards from the requested parameter.
   std::vector<double> places{middle};
   places.reserve(knots.size() + 3);
@@ -197,21 +187,20 @@ contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter) 
     places.push_back(gentle ? next : steep_place(curve, places.back(), next));
     return gentle;
   };
-  for (auto k = std::upper_bound(knots.begin(), knots.end(), middle); k != knots.end(); ++k)
-    if (!add_place(*k)) break;
+  const auto above = std::upper_bound(knots.begin(), knots.end(), middle, is_before);
+  for (auto k = above; k != knots.end(); ++k)
+    if (!add_place(k->parameter)) break;
   std::reverse(places.begin(), places.end());
-  for (auto k = std::lower_bound(knots.begin(), knots.end(), middle); k != knots.begin();)
-    if (!add_place(*--k)) break;
+  for (auto k = above; k != knots.begin();)
+    if ((--k)->parameter < middle && !add_place(k->parameter)) break;
   std::reverse(places.begin(), places.end());
 
-  std::vector<double> y, z, slope;
-  for (auto* list : {&y, &z, &slope}) list->reserve(2 * places.size());
+  std::vector<contact::HeightKnot> heights;
+  heights.reserve(2 * places.size());
   const auto add = [&](const ProfilePoint& point) {
     // Two points may coincide to rounding where the profile becomes too steep exactly at a knot.
-    if (!y.empty() && !(point.y > y.back() + 1e-12 * (1.0 + std::abs(point.y)))) return;
-    y.push_back(point.y);
-    z.push_back(point.z);
-    slope.push_back(point.tangent_z / point.tangent_y);
+    if (heights.empty() || point.y > heights.back().y + 1e-12 * (1.0 + std::abs(point.y)))
+      heights.push_back({point.y, point.z, point.tangent_z / point.tangent_y});
   };
   ProfilePoint before;
   for (std::size_t k = 0; k < places.size(); ++k) {
@@ -224,7 +213,7 @@ contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter) 
     add(here);
     before = here;
   }
-  return {std::move(y), std::move(z), std::move(slope)};
+  return contact::HeightCurve(std::move(heights));
 }
 
 namespace {
@@ -232,42 +221,39 @@ namespace {
 constexpr double last_digits = 1e-13;  // mm along a profile
 
 /// Length of a piece by Simpson's rule on the speed of the parameter, which is close to 1.
-double length_of(const ProfileKnots& knots, std::size_t k) {
-  const double h = knots.parameter[k + 1] - knots.parameter[k];
-  const auto middle = [&](const std::vector<double>& x, const std::vector<double>& dx) {
-    return 1.5 * (x[k + 1] - x[k]) / h - 0.25 * (dx[k] + dx[k + 1]);
-  };
-  const double speed = std::hypot(middle(knots.y, knots.dy), middle(knots.z, knots.dz));
+double length_of(const ProfileKnot& a, const ProfileKnot& b) {
+  const double h = b.parameter - a.parameter;
+  const double middle_y = 1.5 * (b.y - a.y) / h - 0.25 * (a.dy + b.dy),
+               middle_z = 1.5 * (b.z - a.z) / h - 0.25 * (a.dz + b.dz);
   return h / 6.0 *
-         (std::hypot(knots.dy[k], knots.dz[k]) + 4.0 * speed +
-          std::hypot(knots.dy[k + 1], knots.dz[k + 1]));
+         (std::hypot(a.dy, a.dz) + 4.0 * std::hypot(middle_y, middle_z) + std::hypot(b.dy, b.dz));
 }
 
 /// Just before a knot, on the piece that ends there.
 ProfilePoint before(const ProfileCurve& curve, std::size_t k) {
-  const auto& p = curve.knots().parameter;
-  return curve.at(p[k] - 1e-9 * (p[k] - p[k - 1]));
+  const double here = curve.knots()[k].parameter;
+  return curve.at(here - 1e-9 * (here - curve.knots()[k - 1].parameter));
 }
 
 /// Parameter of the extreme height nearest to the knot.
 ProfilePoint extreme(const ProfileCurve& curve, std::size_t knot) {
-  const auto& p = curve.knots().parameter;
-  const double low = p[knot > 0 ? knot - 1 : 0];
-  const double high = p[std::min(knot + 1, p.size() - 1)];
+  const auto& knots = curve.knots();
+  const double low = knots[knot > 0 ? knot - 1 : 0].parameter;
+  const double high = knots[std::min(knot + 1, knots.size() - 1)].parameter;
   const bool rising = curve.at(low).tangent_z > 0.0;
-  if (rising == (curve.at(high).tangent_z > 0.0)) return curve.at(p[knot]);
+  if (rising == (curve.at(high).tangent_z > 0.0)) return curve.at(knots[knot].parameter);
   return curve.at(contact::bracketed_root([&](double at) { return curve.at(at).tangent_z; }, low,
                                           high, last_digits, "extreme height of the profile"));
 }
 
 /// y at which z crosses a height, searching from parameter `from` towards smaller ones.
 std::optional<double> face(const ProfileCurve& curve, std::size_t from, double height) {
-  const ProfileKnots& knots = curve.knots();
   for (std::size_t k = from; k > 0; --k) {
-    if ((knots.z[k] - height) * (knots.z[k - 1] - height) > 0.0) continue;
+    const ProfileKnot &here = curve.knots()[k], &before = curve.knots()[k - 1];
+    if ((here.z - height) * (before.z - height) > 0.0) continue;
     const auto above = [&](double at) { return curve.at(at).z - height; };
     return curve
-        .at(contact::bracketed_root(above, knots.parameter[k - 1], knots.parameter[k], last_digits,
+        .at(contact::bracketed_root(above, before.parameter, here.parameter, last_digits,
                                     "face of the profile"))
         .y;
   }
@@ -277,8 +263,8 @@ std::optional<double> face(const ProfileCurve& curve, std::size_t from, double h
 }  // namespace
 
 ProfileFeatures profile_features(const ProfileCurve& curve, bool wheel) {
-  const ProfileKnots& knots = curve.knots();
-  const std::size_t n = knots.y.size();
+  const std::vector<ProfileKnot>& knots = curve.knots();
+  const std::size_t n = knots.size();
   ProfileFeatures result;
   result.start = curve.at(curve.first());
   result.end = curve.at(curve.last());
@@ -290,10 +276,10 @@ ProfileFeatures profile_features(const ProfileCurve& curve, bool wheel) {
     if (place.curvature < clearly * result.sharpest_down.curvature) result.sharpest_down = place;
   };
   for (std::size_t k = 0; k < n; ++k) {
-    if (k + 1 < n) result.length += length_of(knots, k);
-    if (knots.z[k] < knots.z[top]) top = k;
-    if (knots.z[k] > knots.z[bottom]) bottom = k;
-    const ProfilePoint right = curve.at(knots.parameter[k]);
+    if (k + 1 < n) result.length += length_of(knots[k], knots[k + 1]);
+    if (knots[k].z < knots[top].z) top = k;
+    if (knots[k].z > knots[bottom].z) bottom = k;
+    const ProfilePoint right = curve.at(knots[k].parameter);
     sharper(right);
     if (k == 0 || k + 1 == n) continue;
     const ProfilePoint left = before(curve, k);
@@ -301,7 +287,7 @@ ProfileFeatures profile_features(const ProfileCurve& curve, bool wheel) {
     // Cubics of one formula agree within 1e-4 of their curvature; a joint differs much more.
     const double larger = std::max(std::abs(left.curvature), std::abs(right.curvature));
     if (std::abs(right.curvature - left.curvature) > 1e-4 + 0.05 * larger)
-      result.joints.push_back({knots.parameter[k], right, left.curvature});
+      result.joints.push_back({knots[k].parameter, right, left.curvature});
   }
   result.top = extreme(curve, top);
   result.bottom = extreme(curve, bottom);

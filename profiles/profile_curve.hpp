@@ -7,6 +7,7 @@
 
 #include "scene/height_curve.hpp"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -26,25 +27,28 @@ struct ProfilePoint {
   double curvature = 0.0;  ///< 1/mm, > 0 where the curve turns towards +z (y rising): a rail head
 };
 
-/// Knots with derivatives by the parameter, which increases from the gauge or flange side to the
+/// A knot with derivatives by the parameter, which increases from the gauge or flange side to the
 /// field side and is close to the arc length, in mm.
-struct ProfileKnots {
-  std::vector<double> parameter;
-  std::vector<double> y, z;    ///< mm
-  std::vector<double> dy, dz;  ///< by the parameter; right limits at jumps
-  double rounding = 0.0;       ///< mm, standard deviation of the points, where it matters
+struct ProfileKnot {
+  double parameter = 0.0;
+  double y = 0.0, z = 0.0;    ///< mm
+  double dy = 0.0, dz = 0.0;  ///< by the parameter; right limits at jumps
 };
 
 class ProfileCurve {
  public:
   ProfileCurve() = default;
-  /// Lists of equal length, at least 2, parameters increasing. Throws std::invalid_argument.
-  explicit ProfileCurve(ProfileKnots knots);
+  /// At least two knots with increasing parameters. `rounding`: standard deviation of the points,
+  /// mm, where it matters. Throws std::invalid_argument.
+  explicit ProfileCurve(std::vector<ProfileKnot> knots, double rounding = 0.0);
 
   ProfilePoint at(double parameter) const;
-  double first() const { return knots_.parameter.front(); }
-  double last() const { return knots_.parameter.back(); }
-  const ProfileKnots& knots() const { return knots_; }
+  /// y and z over the parameter.
+  std::array<contact::CurveValue, 2> by_parameter(double parameter) const;
+  double first() const { return knots_.front().parameter; }
+  double last() const { return knots_.back().parameter; }
+  const std::vector<ProfileKnot>& knots() const { return knots_; }
+  double rounding() const { return rounding_; }
   /// Parameter of the point with this y, or of the nearer end; the lowest if several (an undercut
   /// profile).
   double parameter_at(double y) const;
@@ -57,7 +61,8 @@ class ProfileCurve {
   ProfileCurve mirrored() const;
 
  private:
-  ProfileKnots knots_;
+  std::vector<ProfileKnot> knots_;
+  double rounding_ = 0.0;
   std::vector<double> highest_y_, lowest_y_;  ///< mm, of the knots up to each
 };
 

@@ -74,9 +74,7 @@ ProfileCurve with_rounding(const ProfileCurve& curve, const ProfilePoints& point
       "`thinning = {:.1g}` or `smoothing = {:.1g}` under [{}_profile]",
       report.neglected.empty() ? "" : "; ", points.file, spacing, step, pressure, apart, scatter,
       wheel ? "wheel" : "rail");
-  ProfileKnots knots = curve.knots();
-  knots.rounding = scatter;
-  return ProfileCurve(std::move(knots));
+  return ProfileCurve(curve.knots(), scatter);
 }
 
 ProfileCurve through(ProfilePoints points, const ProfileSource& source, bool wheel,
@@ -139,8 +137,8 @@ ProfileCurve with_side_faces(const ProfileCurve& curve, bool wheel) {
   constexpr double edge = 0.012;               // mm, over which the profile turns
   const double inwards = wheel ? -1.0 : 1.0;
   const double cosine = 1.0 / std::hypot(1.0, slope), sine = slope * cosine;
-  ProfileKnots knots = curve.knots();
-  const double length = height * std::abs(knots.y.back() - knots.y.front()) / sine;
+  std::vector<ProfileKnot> knots = curve.knots();
+  const double length = height * std::abs(knots.back().y - knots.front().y) / sine;
   for (const double outwards : {1.0, -1.0}) {
     const bool last = outwards > 0.0;
     const double at = last ? curve.last() : curve.first();
@@ -151,19 +149,13 @@ ProfileCurve with_side_faces(const ProfileCurve& curve, bool wheel) {
     const double face_z = steeper ? end_z : inwards * sine;
     double y = end.y + 0.5 * edge * (end_y + face_y), z = end.z + 0.5 * edge * (end_z + face_z);
     for (const double way : {edge, edge + length}) {
-      const auto add = [last](std::vector<double>& list, double value) {
-        list.insert(last ? list.end() : list.begin(), value);
-      };
-      add(knots.parameter, at + outwards * way);
-      add(knots.y, y);
-      add(knots.z, z);
-      add(knots.dy, outwards * face_y);
-      add(knots.dz, outwards * face_z);
+      knots.insert(last ? knots.end() : knots.begin(),
+                   {at + outwards * way, y, z, outwards * face_y, outwards * face_z});
       y += length * face_y;
       z += length * face_z;
     }
   }
-  return ProfileCurve(std::move(knots));
+  return ProfileCurve(std::move(knots), curve.rounding());
 }
 
 /// The flange tip lies behind the flange back: a profile measured from the back has its tip where
@@ -188,9 +180,9 @@ void check_flange(const contact::Case& input, const ProfileCurve& curve) {
 }  // namespace
 
 std::array<ProfilePoint, 2> free_ends_of(const ProfileCurve& curve) {
-  const std::vector<double>& parameters = curve.knots().parameter;
-  return {curve.at(parameters[knots_of_side_face]),
-          curve.at(parameters[parameters.size() - 1 - knots_of_side_face])};
+  const std::vector<ProfileKnot>& knots = curve.knots();
+  return {curve.at(knots[knots_of_side_face].parameter),
+          curve.at(knots[knots.size() - 1 - knots_of_side_face].parameter)};
 }
 
 std::optional<double> flange_tip(const ProfileCurve& curve) {

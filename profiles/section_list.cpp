@@ -79,14 +79,11 @@ std::vector<Feature> bends_of(const ProfileCurve& curve) {
 std::vector<Feature> features_of(const ProfileCurve& curve) {
   const std::vector<Feature> bends = bends_of(curve);
   std::vector<Feature> all = bends, inside;
-  const ProfileKnots& knots = curve.knots();
-  for (const std::size_t k : kinks_of({knots.y, knots.z})) {
-    const double kink = knots.parameter[k];
+  for (const double kink : kinks_of(curve))
     if (std::none_of(bends.begin(), bends.end(), [&](const Feature& bend) {
           return std::abs(bend.parameter - kink) < same_bend;
         }))
       all.push_back({kink});
-  }
   std::sort(all.begin(), all.end(),
             [](const Feature& a, const Feature& b) { return a.parameter < b.parameter; });
   for (const auto& [parameter, kind, y, z] : all) {
@@ -311,12 +308,14 @@ bool close_turn(SectionList& list, const std::string& name) {
 /// Whether both have the same points, to the digits of a file.
 bool alike(const PlacedSection& a, const PlacedSection& b) {
   constexpr double digits = 1e-6;  // mm
-  const auto near = [](const std::vector<double>& x, const std::vector<double>& y) {
-    return std::equal(x.begin(), x.end(), y.begin(), y.end(),
-                      [](double p, double q) { return std::abs(p - q) < digits; });
+  const auto same = [](const auto& x, const auto& y, const auto& near) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), near);
   };
-  return near(a.curve.knots().y, b.curve.knots().y) && near(a.curve.knots().z, b.curve.knots().z) &&
-         near(a.features, b.features);
+  const auto near = [](double p, double q) { return std::abs(p - q) < digits; };
+  const auto at_one_place = [&](const ProfileKnot& p, const ProfileKnot& q) {
+    return near(p.y, q.y) && near(p.z, q.z);
+  };
+  return same(a.curve.knots(), b.curve.knots(), at_one_place) && same(a.features, b.features, near);
 }
 
 }  // namespace

@@ -45,9 +45,10 @@ std::vector<Part> parts_of(const std::vector<PlacedSection>& sections,
         throw std::invalid_argument("a part between two features begins again where it had ended");
       if (most < 0) part.having[0] = i;
       part.having[1] = i;
-      const auto& knots = sections[i].curve.knots().parameter;
-      const auto from = std::upper_bound(knots.begin(), knots.end(), bounds[i][k]);
-      const std::ptrdiff_t inside = std::lower_bound(from, knots.end(), bounds[i][k + 1]) - from;
+      const auto& knots = sections[i].curve.knots();
+      const auto inside = std::count_if(knots.begin(), knots.end(), [&](const ProfileKnot& knot) {
+        return knot.parameter > bounds[i][k] && knot.parameter < bounds[i][k + 1];
+      });
       if (inside > most) most = inside, part.master = i;
     }
     if (most < 0)
@@ -75,8 +76,8 @@ std::vector<Node> nodes_of(const std::vector<PlacedSection>& sections,
     // Each part has its own ends: its parameter runs at another pace than that of its neighbour.
     constexpr double apart = 1e-4, most_apart = 0.01;  // mm, of the length
     nodes.push_back({k, k == 0 ? 0.0 : std::min(apart / parts[k].length, most_apart)});
-    for (const double knot : sections[parts[k].master].curve.knots().parameter) {
-      const double fraction = (knot - parts[k].from) / parts[k].length;
+    for (const ProfileKnot& knot : sections[parts[k].master].curve.knots()) {
+      const double fraction = (knot.parameter - parts[k].from) / parts[k].length;
       constexpr double same = 1e-9;
       if (fraction > nodes.back().fraction + same && fraction < 1.0 - same)
         nodes.push_back({k, fraction});
@@ -84,18 +85,6 @@ std::vector<Node> nodes_of(const std::vector<PlacedSection>& sections,
     nodes.push_back({k, 1.0});
   }
   return nodes;
-}
-
-/// A point of a section with the derivatives by its own parameter.
-struct Passed {
-  contact::CurveValue y, z;
-};
-
-Passed passed(const ProfileCurve& curve, double parameter) {
-  const ProfileKnots& knots = curve.knots();
-  const auto [k, h, t] = contact::piece_of(knots.parameter, parameter);
-  return {contact::hermite(h, t, knots.y[k], knots.y[k + 1], knots.dy[k], knots.dy[k + 1]),
-          contact::hermite(h, t, knots.z[k], knots.z[k + 1], knots.dz[k], knots.dz[k + 1])};
 }
 
 /// A full turn of sections, continued beyond both ends.
@@ -199,13 +188,13 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
       // Where its part does not exist a node is where it is in the nearest section.
       const std::size_t near = std::clamp(i, having[j][0], having[j][1]);
       const double from = bounds[near][node.part], length = bounds[near][node.part + 1] - from;
-      const Passed at = passed(sections[near].curve, from + node.fraction * length);
+      const auto [y, z] = sections[near].curve.by_parameter(from + node.fraction * length);
       // The parameter of the surface runs through the part at the pace of its master.
       const double pace = length / parts[node.part].length;
-      y_.value.push_back(at.y.value);
-      z_.value.push_back(at.z.value);
-      y_.across.push_back(pace * at.y.slope);
-      z_.across.push_back(pace * at.z.slope);
+      y_.value.push_back(y.value);
+      z_.value.push_back(z.value);
+      y_.across.push_back(pace * y.slope);
+      z_.across.push_back(pace * z.slope);
     }
   for (Nodes* coordinate : {&y_, &z_}) {
     run_along_way(spline, having, *coordinate);
@@ -350,7 +339,7 @@ SurfacePoint SectionSurface::at(double way, double parameter) const {
 ProfileCurve SectionSurface::section(double way) const {
   const auto along = contact::piece_of(way_, known_way(way));
   const std::size_t step = parameter_.size();
-  ProfileKnots knots;
+  std::vector<ProfileKnot> knots;
   for (std::size_t j = 0; j < step; ++j) {
     if (!exists(way, parameter_[j])) continue;
     const auto between = [&](const std::vector<double>& values, const std::vector<double>& slopes) {
@@ -358,11 +347,9 @@ ProfileCurve SectionSurface::section(double way) const {
       return contact::hermite(along.length, along.part, values[a], values[b], slopes[a], slopes[b])
           .value;
     };
-    knots.parameter.push_back(parameter_[j]);
-    knots.y.push_back(between(y_.value, y_.value_way));
-    knots.z.push_back(between(z_.value, z_.value_way));
-    knots.dy.push_back(between(y_.across, y_.across_way));
-    knots.dz.push_back(between(z_.across, z_.across_way));
+    knots.push_back({parameter_[j], between(y_.value, y_.value_way),
+                     between(z_.value, z_.value_way), between(y_.across, y_.across_way),
+                     between(z_.across, z_.across_way)});
   }
   return ProfileCurve(std::move(knots));
 }

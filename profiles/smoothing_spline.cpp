@@ -453,13 +453,11 @@ ProfileCurve smoothing_spline(const PointRow& points, double scatter, SmoothingR
     step[k] = std::hypot(smooth.y[k + 1] - smooth.y[k], smooth.z[k + 1] - smooth.z[k]);
   const Smoother through(step, Values(n - 1, 1.0));
   const std::array<Fit, 2> fit = through.fit(smooth.y, smooth.z, 0.0);
-  ProfileKnots knots;
-  knots.parameter.assign(n, 0.0);
-  for (std::size_t k = 1; k < n; ++k) knots.parameter[k] = knots.parameter[k - 1] + step[k - 1];
-  knots.y = fit[0].value;
-  knots.z = fit[1].value;
-  knots.dy = through.slopes(fit[0]);
-  knots.dz = through.slopes(fit[1]);
+  const Values dy = through.slopes(fit[0]), dz = through.slopes(fit[1]);
+  std::vector<ProfileKnot> knots;
+  for (std::size_t k = 0; k < n; ++k)
+    knots.push_back({k == 0 ? 0.0 : knots.back().parameter + step[k - 1], fit[0].value[k],
+                     fit[1].value[k], dy[k], dz[k]});
   if (report != nullptr) {
     double sum = 0.0;
     report->largest = 0.0;

@@ -53,7 +53,7 @@ Curvatures curvatures_at_contact_point(const PatchGeometry& patch) {
 
 /// y over the arc length of the common surface from y = 0.
 HeightCurve unrolled(const ContactSurface& surface) {
-  std::vector<double> y, s, slope;
+  std::vector<HeightKnot> knots;
   const auto walk = [&](double direction) {
     double at = 0.0, way = 0.0;
     double stretch = stretch_of(surface.climb(at));
@@ -65,18 +65,14 @@ HeightCurve unrolled(const ContactSurface& surface) {
       way += (next - at) * (stretch + 4.0 * middle + stretch_of(climb)) / 6.0;
       at = next;
       stretch = stretch_of(climb);
-      y.push_back(at);
-      s.push_back(way);
-      slope.push_back(1.0 / stretch);
+      knots.push_back({way, at, 1.0 / stretch});
     }
   };
   walk(-1.0);
-  for (auto* values : {&y, &s, &slope}) std::reverse(values->begin(), values->end());
-  y.push_back(0.0);
-  s.push_back(0.0);
-  slope.push_back(1.0 / stretch_of(surface.climb(0.0)));
+  std::reverse(knots.begin(), knots.end());
+  knots.push_back({0.0, 0.0, 1.0 / stretch_of(surface.climb(0.0))});
   walk(1.0);
-  return {s, y, slope};
+  return HeightCurve(std::move(knots));
 }
 
 /// Direction of the wheel's axle.

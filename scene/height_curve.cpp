@@ -9,23 +9,29 @@
 
 namespace rollfem::contact {
 
-HeightCurve::HeightCurve(std::vector<double> y, std::vector<double> z, std::vector<double> slope)
-    : y_(std::move(y)), z_(std::move(z)), slope_(std::move(slope)) {
-  if (y_.size() < 2 || z_.size() != y_.size() || slope_.size() != y_.size())
-    throw std::invalid_argument("a height curve needs at least two knots, each with a slope");
-  for (std::size_t k = 1; k < y_.size(); ++k)
-    if (!(y_[k] > y_[k - 1]))
+namespace {
+
+bool is_before(double y, const HeightKnot& knot) {
+  return y < knot.y;
+}
+
+}  // namespace
+
+HeightCurve::HeightCurve(std::vector<HeightKnot> knots) : knots_(std::move(knots)) {
+  if (knots_.size() < 2) throw std::invalid_argument("a height curve needs at least two knots");
+  for (std::size_t k = 1; k < knots_.size(); ++k)
+    if (!(knots_[k].y > knots_[k - 1].y))
       throw std::invalid_argument("the knots of a height curve must increase");
-  knots_before_.assign(y_.size() + 1, 0);
-  stretches_per_length_ = static_cast<double>(y_.size()) / (y_.back() - y_.front());
-  for (const double knot : y_) ++knots_before_[stretch_of(knot) + 1];
+  knots_before_.assign(knots_.size() + 1, 0);
+  stretches_per_length_ = static_cast<double>(knots_.size()) / (last() - first());
+  for (const HeightKnot& knot : knots_) ++knots_before_[stretch_of(knot.y) + 1];
   std::partial_sum(knots_before_.begin(), knots_before_.end(), knots_before_.begin());
 }
 
 /// Non-decreasing in y despite rounding; 0 for NaN.
 std::size_t HeightCurve::stretch_of(double y) const {
-  const double place = (y - y_.front()) * stretches_per_length_;
-  return place > 0.0 ? std::min(y_.size() - 1, static_cast<std::size_t>(place)) : 0;
+  const double place = (y - first()) * stretches_per_length_;
+  return place > 0.0 ? std::min(knots_.size() - 1, static_cast<std::size_t>(place)) : 0;
 }
 
 std::size_t HeightCurve::piece_of(double y) const {
@@ -35,23 +41,22 @@ std::size_t HeightCurve::piece_of(double y) const {
   constexpr std::size_t few = 8;
   if (end - above > few)
     above = static_cast<std::size_t>(
-        std::upper_bound(y_.begin() + static_cast<std::ptrdiff_t>(above),
-                         y_.begin() + static_cast<std::ptrdiff_t>(end), y) -
-        y_.begin());
+        std::upper_bound(knots_.begin() + static_cast<std::ptrdiff_t>(above),
+                         knots_.begin() + static_cast<std::ptrdiff_t>(end), y, is_before) -
+        knots_.begin());
   else
-    while (above < end && y_[above] <= y) ++above;
-  return std::clamp<std::size_t>(above, 1, y_.size() - 1) - 1;
+    while (above < end && knots_[above].y <= y) ++above;
+  return std::clamp<std::size_t>(above, 1, knots_.size() - 1) - 1;
 }
 
 CurveValue HeightCurve::at(double y) const {
-  if (y <= y_.front()) {
-    if (y < y_.front()) return {z_.front() + slope_.front() * (y - y_.front()), slope_.front(), 0};
-  } else if (y > y_.back()) {
-    return {z_.back() + slope_.back() * (y - y_.back()), slope_.back(), 0};
-  }
+  const HeightKnot &begin = knots_.front(), &end = knots_.back();
+  if (y < begin.y) return {begin.z + begin.slope * (y - begin.y), begin.slope, 0};
+  if (y > end.y) return {end.z + end.slope * (y - end.y), end.slope, 0};
   const std::size_t k = piece_of(y);
-  const double h = y_[k + 1] - y_[k];
-  return hermite(h, (y - y_[k]) * (1.0 / h), z_[k], z_[k + 1], slope_[k], slope_[k + 1]);
+  const HeightKnot &a = knots_[k], &b = knots_[k + 1];
+  const double h = b.y - a.y;
+  return hermite(h, (y - a.y) * (1.0 / h), a.z, b.z, a.slope, b.slope);
 }
 
 double HeightCurve::mean(double from, double to) const {
@@ -62,13 +67,12 @@ double HeightCurve::mean(double from, double to) const {
   };
   double sum = 0.0, last = from;
   CurveValue before = at(from);
-  auto knot = std::upper_bound(y_.begin(), y_.end(), from);
-  for (; knot != y_.end() && *knot < to; ++knot) {
-    const auto k = static_cast<std::size_t>(knot - y_.begin());
-    const CurveValue here{z_[k], slope_[k], 0.0};
-    sum += area(*knot - last, before, here);
+  auto knot = std::upper_bound(knots_.begin(), knots_.end(), from, is_before);
+  for (; knot != knots_.end() && knot->y < to; ++knot) {
+    const CurveValue here{knot->z, knot->slope, 0.0};
+    sum += area(knot->y - last, before, here);
     before = here;
-    last = *knot;
+    last = knot->y;
   }
   return (sum + area(to - last, before, at(to))) / (to - from);
 }

@@ -30,13 +30,17 @@ inline CurveValue hermite(double h, double t, double a, double b, double da, dou
           (-2.0 * left - sum * (2.0 - 6.0 * t)) * by_h};
 }
 
+struct HeightKnot {
+  double y = 0.0, z = 0.0;  ///< mm
+  double slope = 0.0;       ///< dz/dy
+};
+
 /// Cubic Hermite pieces between knots, extrapolated by the tangents.
 class HeightCurve {
  public:
   HeightCurve() = default;
-  /// Knots in mm with y increasing; lists of equal length, at least 2. Throws
-  /// std::invalid_argument.
-  HeightCurve(std::vector<double> y, std::vector<double> z, std::vector<double> slope);
+  /// At least two knots with y increasing. Throws std::invalid_argument.
+  explicit HeightCurve(std::vector<HeightKnot> knots);
 
   CurveValue at(double y) const;
   /// Mean height between two y, from < to, mm; exact for the pieces.
@@ -46,17 +50,15 @@ class HeightCurve {
   /// proportion to width^4 z'''', while waves shorter than the width have no effect that depends on
   /// the position of y in the wave.
   double averaging(double y, double width) const;
-  double first() const { return y_.front(); }  ///< mm, lower end of the curve
-  double last() const { return y_.back(); }    ///< mm, upper end of the curve
-  bool contains(double y) const { return !y_.empty() && y >= first() && y <= last(); }
+  double first() const { return knots_.front().y; }  ///< mm, lower end of the curve
+  double last() const { return knots_.back().y; }    ///< mm, upper end of the curve
+  bool contains(double y) const { return !knots_.empty() && y >= first() && y <= last(); }
   /// Range around 0 in which the curve is known and not steeper than this: lower and upper end, mm.
   std::array<double, 2> gentle_part(double steepest) const;
-  const std::vector<double>& knots() const { return y_; }
+  const std::vector<HeightKnot>& knots() const { return knots_; }
 
  private:
-  std::vector<double> y_;
-  std::vector<double> z_;
-  std::vector<double> slope_;
+  std::vector<HeightKnot> knots_;
 
   /// Index k of the piece between knots k and k + 1 that contains a point between the first and the
   /// last knot.

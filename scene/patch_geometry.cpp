@@ -75,9 +75,8 @@ Height height_of(const RadiusAt& radius_at, const Axle& axle, double x, double y
 
 HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_lower,
                     double y_upper) {
-  std::vector<double> y_of, z_of, slope_of;
-  constexpr std::size_t usual_knots = 4096;
-  for (auto* list : {&y_of, &z_of, &slope_of}) list->reserve(usual_knots);
+  std::vector<HeightKnot> knots;
+  knots.reserve(4096);  // usual ones are fewer
   const auto walk = [&](double end) {
     const double direction = end > 0.0 ? 1.0 : -1.0;
     double y = 0.0, z = 0.0, way = 0.0;
@@ -93,9 +92,7 @@ HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_
       }
       if (!height.found || std::abs(height.slope) > steepest) return;
       if (!wheel_radius.contains(axle_place(axle, {0.0, y, height.value}).axial)) return;
-      y_of.push_back(y);
-      z_of.push_back(height.value);
-      slope_of.push_back(height.slope);
+      knots.push_back({y, height.value, height.slope});
       way = knot_distance / std::sqrt(1.0 + height.slope * height.slope);
       y += direction * way;
       z = height.value + height.slope * direction * way;
@@ -103,16 +100,14 @@ HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_
     }
   };
   walk(y_lower);
-  for (auto* list : {&y_of, &z_of, &slope_of}) {
-    std::reverse(list->begin(), list->end());
-    if (!list->empty()) list->pop_back();  // y = 0, where the next walk begins
-  }
+  std::reverse(knots.begin(), knots.end());
+  if (!knots.empty()) knots.pop_back();  // y = 0, where the next walk begins
   walk(y_upper);
-  if (y_of.size() < 2)
+  if (knots.size() < 2)
     throw InputError(
         "wheel.rolling_radius: the wheel has no surface at the contact reference point; allowed: a "
         "radius much larger than the heights of the profile; do: give it in mm");
-  return {std::move(y_of), std::move(z_of), std::move(slope_of)};
+  return HeightCurve(std::move(knots));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ std::optional<WaveErrors> wave_errors(const contact::Scene& scene, std::size_t k
                                       const contact::ContactGrid& grid,
                                       const contact::PointResult& point);
 
-/// Effect of the points' rounding (ProfileKnots::rounding) on frictionless results, by name of
+/// Effect of the points' rounding (ProfileCurve::rounding) on frictionless results, by name of
 /// quantity; empty without. Fitted to circles of 80 and 300 mm written with four decimals, their
 /// points 0.005 to 0.5 mm apart.
 WaveErrors rounding_errors(const contact::Scene& scene, const contact::ContactGrid& grid,

@@ -23,16 +23,15 @@ ArcLength::ArcLength(const contact::ContactSurface& surface, double reach) {
            (5.0 * density(middle - 0.5 * offset * step) + 8.0 * density(middle) +
             5.0 * density(middle + 0.5 * offset * step));
   };
-  std::vector<double> y(2 * knots_per_side + 1), arc(y.size()), slope(y.size());
+  std::vector<contact::HeightKnot> arc(2 * knots_per_side + 1);
   for (int k = 0; k <= 2 * knots_per_side; ++k) {
-    y[k] = (k - knots_per_side) * step;
-    slope[k] = density(y[k]);
+    arc[k].y = (k - knots_per_side) * step;
+    arc[k].slope = density(arc[k].y);
   }
-  arc[knots_per_side] = 0.0;
   for (int k = knots_per_side; k < 2 * knots_per_side; ++k)
-    arc[k + 1] = arc[k] + piece(y[k] + 0.5 * step);
-  for (int k = knots_per_side; k > 0; --k) arc[k - 1] = arc[k] - piece(y[k] - 0.5 * step);
-  arc_ = contact::HeightCurve(y, arc, slope);
+    arc[k + 1].z = arc[k].z + piece(arc[k].y + 0.5 * step);
+  for (int k = knots_per_side; k > 0; --k) arc[k - 1].z = arc[k].z - piece(arc[k].y - 0.5 * step);
+  arc_ = contact::HeightCurve(std::move(arc));
 }
 
 double ArcLength::at(double y) const {

@@ -13,28 +13,21 @@ namespace {
 using track::WheelRailContact;
 
 profiles::ProfileCurve cut(const profiles::ProfileCurve& curve, double first, double last) {
-  const auto& all = curve.knots();
-  profiles::ProfileKnots part;
-  for (std::size_t k = 0; k < all.y.size(); ++k)
-    if (all.y[k] >= first && all.y[k] <= last) {
-      part.parameter.push_back(all.parameter[k]);
-      part.y.push_back(all.y[k]);
-      part.z.push_back(all.z[k]);
-      part.dy.push_back(all.dy[k]);
-      part.dz.push_back(all.dz[k]);
-    }
+  std::vector<profiles::ProfileKnot> part;
+  for (const profiles::ProfileKnot& knot : curve.knots())
+    if (knot.y >= first && knot.y <= last) part.push_back(knot);
   return profiles::ProfileCurve(part);
 }
 
 /// S1002 with a hollow of 1 mm depth in the tread and a flange 0.5 mm thinner: a formula.
 profiles::ProfileCurve worn_wheel() {
-  profiles::ProfileKnots knots = profiles::find_built_in_profile("S1002")->make().knots();
-  for (std::size_t k = 0; k < knots.y.size(); ++k) {
-    const double t = (knots.y[k] - 2.0) / 14.0;
+  auto knots = profiles::find_built_in_profile("S1002")->make().knots();
+  for (profiles::ProfileKnot& knot : knots) {
+    const double t = (knot.y - 2.0) / 14.0;
     const double hollow = std::exp(-t * t);
     const double slope = -2.0 * t / 14.0 * hollow;  // of exp(-t^2) by y
-    knots.z[k] -= hollow;
-    knots.dz[k] -= slope * knots.dy[k];
+    knot.z -= hollow;
+    knot.dz -= slope * knot.dy;
   }
   return profiles::ProfileCurve(knots);
 }

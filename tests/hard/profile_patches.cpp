@@ -30,7 +30,7 @@ PatchCase two_crests(double force, double d, double radius) {
     return HeightAndSlope{-q * q / (8.0 * radius * d * d), -q * y / (2.0 * radius * d * d)};
   });
   input.patch = std::make_shared<contact::PatchGeometry>(
-      rail, contact::HeightCurve({-30.0, 30.0}, {405.0, 405.0}, {0.0, 0.0}),
+      rail, contact::HeightCurve({{-30.0, 405.0, 0.0}, {30.0, 405.0, 0.0}}),
       contact::Axle{{0.0, 0.0, 405.0}, {0.0, 1.0, 0.0}}, -25.0, 25.0);
   return input;
 }

@@ -19,16 +19,14 @@ using CurveFunction = std::function<HeightAndSlope(double)>;
 
 inline contact::HeightCurve sampled_curve(double first, double last, double step,
                                           const CurveFunction& function) {
-  std::vector<double> y, z, slope;
+  std::vector<contact::HeightKnot> knots;
   const int pieces = static_cast<int>(std::ceil((last - first) / step));
   for (int k = 0; k <= pieces; ++k) {
     const double at = first + (last - first) * k / pieces;
     const auto [value, rise] = function(at);
-    y.push_back(at);
-    z.push_back(value);
-    slope.push_back(rise);
+    knots.push_back({at, value, rise});
   }
-  return {y, z, slope};
+  return contact::HeightCurve(knots);
 }
 
 /// z = R - sqrt(R^2 - (y - y0)^2): a circle through (y0, 0) that opens upwards; R < 0 downwards.
@@ -115,14 +113,12 @@ inline std::shared_ptr<const contact::PatchGeometry> touching(
   const auto [rail_z, rail_slope] = rail(rail_place);
   const double c = 1.0 / std::sqrt(1.0 + rail_slope * rail_slope);
   const double s = rail_slope * c;
-  std::vector<double> y, z, slope;
+  std::vector<contact::HeightKnot> knots;
   for (double at = rail_first; at <= rail_last; at += 0.02) {
     const auto [value, rise] = rail(at);
     const double across = at - rail_place;
     const double up = rail_z - value;
-    y.push_back(c * across - s * up);
-    z.push_back(s * across + c * up);
-    slope.push_back((s - c * rise) / (c + s * rise));
+    knots.push_back({c * across - s * up, s * across + c * up, (s - c * rise) / (c + s * rise)});
   }
   const auto radius = sampled_curve(wheel_first, wheel_last, 0.02, [&](double w) {
     const auto [value, rise] = wheel(w);
@@ -135,8 +131,8 @@ inline std::shared_ptr<const contact::PatchGeometry> touching(
   const contact::Axle axle{
       {0.0, -wheel_place * cosine - r * sine, -wheel_place * sine + r * cosine},
       {0.0, cosine, sine}};
-  return std::make_shared<contact::PatchGeometry>(contact::HeightCurve(y, z, slope), radius, axle,
-                                                  -40.0, 40.0);
+  return std::make_shared<contact::PatchGeometry>(contact::HeightCurve(knots), radius, axle, -40.0,
+                                                  40.0);
 }
 
 /// Head of the rail inclined 1:40 towards negative y as in the list of the Manchester benchmark.

@@ -15,15 +15,11 @@ namespace rollfem::testing {
 inline profiles::ProfileCurve profile_of(const std::function<double(double)>& z,
                                          const std::function<double(double)>& slope, double first,
                                          double last, double step = 0.25) {
-  profiles::ProfileKnots knots;
+  std::vector<profiles::ProfileKnot> knots;
   const int count = static_cast<int>(std::round((last - first) / step));
   for (int k = 0; k <= count; ++k) {
     const double y = first + (last - first) * k / count;
-    knots.parameter.push_back(y);
-    knots.y.push_back(y);
-    knots.z.push_back(z(y));
-    knots.dy.push_back(1.0);
-    knots.dz.push_back(slope(y));
+    knots.push_back({y, y, z(y), 1.0, slope(y)});
   }
   return profiles::ProfileCurve(knots);
 }

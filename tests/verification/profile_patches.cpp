@@ -188,14 +188,9 @@ TEST(ProfilePatches, MirroredProfilesGiveMirroredForces) {
   input.rolling.creepages = {{1e-3, 4e-4, 1e-4}};
   const contact::PatchGeometry& left = *input.patch;
   const auto mirrored = [](const contact::HeightCurve& curve) {
-    std::vector<double> y, z, slope;
-    for (auto knot = curve.knots().rbegin(); knot != curve.knots().rend(); ++knot) {
-      const contact::CurveValue at = curve.at(*knot);
-      y.push_back(-*knot);
-      z.push_back(at.value);
-      slope.push_back(-at.slope);
-    }
-    return contact::HeightCurve(y, z, slope);
+    std::vector<contact::HeightKnot> knots(curve.knots().rbegin(), curve.knots().rend());
+    for (contact::HeightKnot& knot : knots) knot = {-knot.y, knot.z, -knot.slope};
+    return contact::HeightCurve(knots);
   };
   PatchCase other = input;
   contact::Axle axle = left.axle();

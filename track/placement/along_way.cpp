@@ -24,34 +24,31 @@ constexpr double sample_step = 0.5;
 constexpr int rows_to_side = 30;
 constexpr double farthest_row = 0.25;
 
-/// What of a section is a height over y: z, and its parameter.
+/// What of a section is a height over y.
 struct OverY {
-  std::vector<double> y, z, slope, parameter;
+  struct Knot : contact::HeightKnot {
+    double parameter;  ///< of the section
+  };
+  std::vector<Knot> knots;
 
-  void drop_last() {
-    for (auto* list : {&y, &z, &slope, &parameter}) list->pop_back();
-  }
-  void add(const profiles::ProfilePoint& point, double at) {
-    y.push_back(point.y);
-    z.push_back(point.z);
-    slope.push_back(point.tangent_z / point.tangent_y);
-    parameter.push_back(at);
+  void add(const profiles::ProfilePoint& point, double parameter) {
+    knots.push_back({{point.y, point.z, point.tangent_z / point.tangent_y}, parameter});
   }
   contact::HeightCurve heights() const {
     check();
-    return {y, z, slope};
+    return contact::HeightCurve({knots.begin(), knots.end()});
   }
   contact::HeightCurve parameters() const {
     check();
-    std::vector<double> by_y(y.size());
-    for (std::size_t k = 0; k < y.size(); ++k) {
-      const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, y.size() - 1);
-      by_y[k] = (parameter[b] - parameter[a]) / (y[b] - y[a]);
+    std::vector<contact::HeightKnot> made;
+    for (std::size_t k = 0; k < knots.size(); ++k) {
+      const Knot &a = knots[k > 0 ? k - 1 : 0], &b = knots[std::min(k + 1, knots.size() - 1)];
+      made.push_back({knots[k].y, knots[k].parameter, (b.parameter - a.parameter) / (b.y - a.y)});
     }
-    return {y, parameter, by_y};
+    return contact::HeightCurve(std::move(made));
   }
   void check() const {
-    if (y.size() < 2)
+    if (knots.size() < 2)
       throw contact::InputError(
           "wheel.profile, rail.profile: a section near this position is nowhere a height over y; "
           "allowed: a tread or head less steep than 85 degrees; do: check rotation, flip and "
@@ -70,9 +67,11 @@ OverY parts_seen(const ProfileCurve& rail) {
   for (const double at : profiles::dense_parameters(rail, sample_step, 1e-3)) {
     const profiles::ProfilePoint point = rail.at(at);
     if (!is_height(point)) continue;
-    while (!seen.y.empty() && point.y <= seen.y.back() && point.z < seen.z.back()) seen.drop_last();
+    std::vector<OverY::Knot>& knots = seen.knots;
+    while (!knots.empty() && point.y <= knots.back().y && point.z < knots.back().z)
+      knots.pop_back();
     constexpr double least = 1e-6;  // mm
-    if (seen.y.empty() || point.y > seen.y.back() + least) seen.add(point, at);
+    if (knots.empty() || point.y > knots.back().y + least) seen.add(point, at);
   }
   return seen;
 }
@@ -82,7 +81,7 @@ OverY part_about(const ProfileCurve& wheel, double about) {
   OverY part;
   for (const double at : profiles::dense_parameters(wheel, sample_step, 1e-3)) {
     const profiles::ProfilePoint point = wheel.at(at);
-    if (is_height(point) && (part.y.empty() || point.y > part.y.back())) {
+    if (is_height(point) && (part.knots.empty() || point.y > part.knots.back().y)) {
       part.add(point, at);
     } else if (point.y < about) {
       part = {};
@@ -95,14 +94,12 @@ OverY part_about(const ProfileCurve& wheel, double about) {
 
 /// Heights up over y, from a place.
 contact::HeightCurve upside_down(const contact::HeightCurve& curve, const Vector3& place) {
-  std::vector<double> y, z, slope;
-  for (const double knot : curve.knots()) {
-    const contact::CurveValue at = curve.at(knot);
-    y.push_back(knot - place[1]);
-    z.push_back(place[2] - at.value);
-    slope.push_back(-at.slope);
+  std::vector<contact::HeightKnot> knots;
+  for (const contact::HeightKnot& knot : curve.knots()) {
+    const contact::CurveValue at = curve.at(knot.y);
+    knots.push_back({knot.y - place[1], place[2] - at.value, -at.slope});
   }
-  return {std::move(y), std::move(z), std::move(slope)};
+  return contact::HeightCurve(std::move(knots));
 }
 
 /// The side frame with z up and its origin at a place in the plane x = 0.
@@ -308,12 +305,12 @@ contact::RailSurface BodiesAlongWay::rail_in(const SurfaceFrame& frame) const {
 
 ProfileCurve BodiesAlongWay::rail_section(const AlongRail& along) const {
   const ProfileCurve at = sections_.rail->section(sections_.rail_way + along.x);
-  profiles::ProfileKnots section = at.knots();
-  for (std::size_t k = 0; k < section.parameter.size(); ++k) {
+  std::vector<profiles::ProfileKnot> section = at.knots();
+  for (profiles::ProfileKnot& knot : section) {
     double way = along.x;
     Vector3 place{}, by_way{}, by_parameter{};
     for (int step = 0; step < 20; ++step) {
-      const Rail::Point point = rail_->at(way, section.parameter[k]);
+      const Rail::Point point = rail_->at(way, knot.parameter);
       place = along.place_to_top(point.place);
       by_way = along.direction_to_top(point.by_way);
       by_parameter = along.direction_to_top(point.by_parameter);
@@ -322,10 +319,8 @@ ProfileCurve BodiesAlongWay::rail_section(const AlongRail& along) const {
       if (std::abs(change) < 1e-12 * (1.0 + std::abs(way))) break;
     }
     const double turn = -by_parameter[0] / by_way[0];  // of the way by the parameter
-    section.y[k] = place[1];
-    section.z[k] = place[2];
-    section.dy[k] = by_parameter[1] + turn * by_way[1];
-    section.dz[k] = by_parameter[2] + turn * by_way[2];
+    knot = {knot.parameter, place[1], place[2], by_parameter[1] + turn * by_way[1],
+            by_parameter[2] + turn * by_way[2]};
   }
   return ProfileCurve(std::move(section));
 }
@@ -363,11 +358,10 @@ BodiesAlongWay::Level BodiesAlongWay::level() const {
   Vector3 down = contact::cross(axle_.direction, contact::cross({0.0, 0.0, 1.0}, axle_.direction));
   const double length = std::sqrt(dot(down, down));
   for (double& part : down) part /= length;
-  const OverY part = part_about(wheel_, tread_y_);
+  OverY part = part_about(wheel_, tread_y_);
   const double radius = rolling_radius_ + part.heights().at(tread_y_).value;
   for (int d = 0; d < 3; ++d) tread[d] += radius * down[d];
-  std::vector<double> radii = part.z;
-  for (double& z : radii) z += rolling_radius_;
+  for (OverY::Knot& knot : part.knots) knot.z += rolling_radius_;
   const contact::HeightCurve& head = rail_->nearest(axle_.point[0]).height;
   Level level{level_frame(tread), {}, contact::infinity, -contact::infinity, {}, {}};
   for (const Rail::Row& row : rail_->rows) {
@@ -375,15 +369,12 @@ BodiesAlongWay::Level BodiesAlongWay::level() const {
     level.first = std::min(level.first, row.height.first() - tread[1]);
     level.last = std::max(level.last, row.height.last() - tread[1]);
   }
-  level.bodies = {upside_down(head, tread),
-                  {part.y, radii, part.slope},
-                  in_frame(axle_, level.frame),
-                  std::min(level.first, -1.0),
-                  std::max(level.last, 1.0)};
+  level.bodies = {upside_down(head, tread), part.heights(), in_frame(axle_, level.frame),
+                  std::min(level.first, -1.0), std::max(level.last, 1.0)};
   level.bodies.set_surfaces(rail_in(level.frame), wheel_around(0.0, 0.0, 1.0));
-  for (const double y : head.knots()) level.pieces.push_back(y - tread[1]);
-  for (std::size_t k = 0; k < part.y.size(); ++k)
-    level.pieces.push_back(axle_.point[1] + part.y[k] * axle_.direction[1] + radii[k] * down[1] -
+  for (const contact::HeightKnot& knot : head.knots()) level.pieces.push_back(knot.y - tread[1]);
+  for (const OverY::Knot& knot : part.knots)
+    level.pieces.push_back(axle_.point[1] + knot.y * axle_.direction[1] + knot.z * down[1] -
                            tread[1]);
   std::sort(level.pieces.begin(), level.pieces.end());
   return level;

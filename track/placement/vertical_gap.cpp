@@ -18,6 +18,7 @@ namespace rollfem::track {
 
 using contact::Axle;
 using contact::CurveValue;
+using contact::HeightKnot;
 using contact::Vector3;
 
 namespace {
@@ -120,17 +121,19 @@ std::optional<Seen> seen(const profiles::ProfilePoint& at, double rolling_radius
 
 /// Interpolates values between knots. Slopes from chords are accurate enough for x and the profile
 /// coordinate, which only position a contact.
-double value_over_y(const std::vector<double>& knots, const std::vector<double>& values, double y) {
+double value_over_y(const std::vector<HeightKnot>& knots, const std::vector<double>& values,
+                    double y) {
   const auto slope = [&](std::size_t k) {
     const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, knots.size() - 1);
-    return (values[b] - values[a]) / (knots[b] - knots[a]);
+    return (values[b] - values[a]) / (knots[b].y - knots[a].y);
   };
-  const auto [k, h, part] = contact::piece_of(knots, y);
+  const auto [k, h, part] =
+      contact::piece_of(knots, y, [](const HeightKnot& knot) { return knot.y; });
   // Beyond the ends, along the tangent.
   const double t = std::clamp(part, 0.0, 1.0);
   const double inside =
       contact::hermite(h, t, values[k], values[k + 1], slope(k), slope(k + 1)).value;
-  return inside + (y - (knots[k] + h * t)) * slope(t > 0.5 ? k + 1 : k);
+  return inside + (y - (knots[k].y + h * t)) * slope(t > 0.5 ? k + 1 : k);
 }
 
 /// The locus may jump from one place along x to another.
@@ -179,13 +182,10 @@ std::vector<double> climb_over_y(const std::vector<LocusPoint>& locus) {
 contact::HeightCurve curve_over(const std::vector<LocusPoint>& locus, double LocusPoint::*height,
                                 double LocusPoint::*slope) {
   const std::vector<double> climb = climb_over_y(locus);
-  std::vector<double> y, z, by_y;
-  for (std::size_t k = 0; k < locus.size(); ++k) {
-    y.push_back(locus[k].y);
-    z.push_back(locus[k].*height);
-    by_y.push_back(locus[k].*slope + climb[k]);
-  }
-  return {std::move(y), std::move(z), std::move(by_y)};
+  std::vector<HeightKnot> knots;
+  for (std::size_t k = 0; k < locus.size(); ++k)
+    knots.push_back({locus[k].y, locus[k].*height, locus[k].*slope + climb[k]});
+  return contact::HeightCurve(std::move(knots));
 }
 
 }  // namespace
@@ -231,16 +231,15 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
                     "a tread there that faces away from the axle; do: check rotation, shift and "
                     "mirror under [wheel_profile]",
                     wheel.points[wheel.start].y));
-  std::vector<double> y, z, slope;
-  for (auto* list : {&y, &z, &slope, &x_, &profile_y_}) list->reserve(all.size());
+  std::vector<HeightKnot> knots;
+  knots.reserve(all.size());
+  for (auto* list : {&x_, &profile_y_}) list->reserve(all.size());
   for (const Seen& point : all) {
-    y.push_back(point.place[1]);
-    z.push_back(point.place[2]);
-    slope.push_back(point.slope);
+    knots.push_back({point.place[1], point.place[2], point.slope});
     x_.push_back(point.place[0]);
     profile_y_.push_back(point.profile_y);
   }
-  curve_ = contact::HeightCurve(std::move(y), std::move(z), std::move(slope));
+  curve_ = contact::HeightCurve(std::move(knots));
 }
 
 Silhouette::Silhouette(const std::vector<LocusPoint>& locus, const Axle& axle)
@@ -269,18 +268,17 @@ double GapMinimum::angle() const {
 
 contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail) {
   const auto& knots = rail.knots();
-  std::size_t top = 0;
-  double least = contact::infinity;
-  for (std::size_t k = 0; k < knots.z.size(); ++k)
-    if (knots.dy[k] * profiles::steepest >= std::abs(knots.dz[k]) && knots.z[k] < least)
-      least = knots.z[k], top = k;
-  return profiles::height_over_y(rail, knots.parameter[top]);
+  double top = knots.front().parameter, least = contact::infinity;
+  for (const profiles::ProfileKnot& knot : knots)
+    if (knot.dy * profiles::steepest >= std::abs(knot.dz) && knot.z < least)
+      least = knot.z, top = knot.parameter;
+  return profiles::height_over_y(rail, top);
 }
 
 contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail,
                                   const std::vector<double>& tops_and_grooves) {
   if (tops_and_grooves.size() < 2) return rail_heights(rail);
-  std::vector<double> y, z, slope;
+  std::vector<HeightKnot> knots;
   for (const double place : tops_and_grooves) {
     contact::HeightCurve part;
     try {
@@ -289,18 +287,16 @@ contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail,
       continue;  // a groove without a floor
     }
     // A part that reaches several of the places comes again unchanged.
-    for (const double at : part.knots()) {
-      const CurveValue value = part.at(at);
-      while (!y.empty() && at <= y.back() && value.value < z.back())
-        for (auto* list : {&y, &z, &slope}) list->pop_back();
-      if (!y.empty() && at < y.back() + 1e-9) continue;
-      y.push_back(at);
-      z.push_back(value.value);
-      slope.push_back(value.slope);
+    for (const HeightKnot& knot : part.knots()) {
+      const CurveValue value = part.at(knot.y);
+      while (!knots.empty() && knot.y <= knots.back().y && value.value < knots.back().z)
+        knots.pop_back();
+      if (!knots.empty() && knot.y < knots.back().y + 1e-9) continue;
+      knots.push_back({knot.y, value.value, value.slope});
     }
   }
-  if (y.size() < 2) return rail_heights(rail);
-  return {std::move(y), std::move(z), std::move(slope)};
+  if (knots.size() < 2) return rail_heights(rail);
+  return contact::HeightCurve(std::move(knots));
 }
 
 VerticalGap::VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
@@ -314,14 +310,16 @@ VerticalGap::VerticalGap(const WheelPoints& wheel, double rolling_radius, const 
         fmt::format("the wheel is not above the rail: it extends from {:.1f} to {:.1f} mm from the "
                     "middle of the track, the rail head from {:.1f} to {:.1f} mm",
                     outline.first(), outline.last(), rail_.first(), rail_.last()));
-  std::vector<double> knots;
-  knots.reserve(outline.knots().size() + rail_.knots().size());
-  std::merge(outline.knots().begin(), outline.knots().end(), rail_.knots().begin(),
-             rail_.knots().end(), std::back_inserter(knots));
-  places_.reserve(knots.size() + 2);
+  places_.reserve(outline.knots().size() + rail_.knots().size() + 2);
   places_.push_back(first_);
-  for (const double y : knots)
-    if (y > first_ && y < last_) places_.push_back(y);
+  const auto add_knots = [this](const contact::HeightCurve& curve) {
+    for (const HeightKnot& knot : curve.knots())
+      if (knot.y > first_ && knot.y < last_) places_.push_back(knot.y);
+    return static_cast<std::ptrdiff_t>(places_.size());
+  };
+  const std::ptrdiff_t middle = add_knots(outline);
+  add_knots(rail_);
+  std::inplace_merge(places_.begin(), places_.begin() + middle, places_.end());
   places_.push_back(last_);
   // Knots that coincide to rounding would give intervals of no length.
   places_.erase(
@@ -342,15 +340,17 @@ VerticalGap::VerticalGap(std::shared_ptr<const BodiesAlongWay> bodies,
       rail_(curve_over(locus, &LocusPoint::rail_z, &LocusPoint::rail_slope)),
       first_(locus.front().y),
       last_(locus.back().y) {
-  std::vector<double> gap, slope;
-  for (const LocusPoint& point : locus) {
+  const std::vector<double> along = climb_over_y(locus);
+  std::vector<HeightKnot> gap, climb;
+  for (std::size_t k = 0; k < locus.size(); ++k) {
+    const LocusPoint& point = locus[k];
     places_.push_back(point.y);
-    gap.push_back(point.rail_z - point.wheel_z);
     // Along the locus the gap changes as at a fixed x, where it is least.
-    slope.push_back(point.rail_slope - point.wheel_slope);
+    gap.push_back({point.y, point.rail_z - point.wheel_z, point.rail_slope - point.wheel_slope});
+    climb.push_back({point.y, along[k], 0.0});
   }
-  gap_ = {places_, gap, slope};
-  climb_ = {places_, climb_over_y(locus), std::vector<double>(places_.size(), 0.0)};
+  gap_ = contact::HeightCurve(std::move(gap));
+  climb_ = contact::HeightCurve(std::move(climb));
   values_.reserve(places_.size());
   for (const double y : places_) values_.push_back(at(y));
   find_minima();

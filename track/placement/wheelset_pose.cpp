@@ -55,14 +55,14 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
                 "wheel and rail would first touch at");
   const OutlinePoint first = gap.wheel().at(gap.lowest().y);
   const auto& knots = scene.profiles.wheel.knots();
-  const auto tip =
-      static_cast<std::size_t>(std::max_element(knots.z.begin(), knots.z.end()) - knots.z.begin());
+  const auto tip = std::max_element(knots.begin(), knots.end(),
+                                    [](const auto& a, const auto& b) { return a.z < b.z; });
   // A profile without flange is highest at its end.
-  const bool has_flange = tip > 0 && knots.y[tip] < scene.tread_y && knots.z[tip] > 10.0;
+  const bool has_flange = tip != knots.begin() && tip->y < scene.tread_y && tip->z > 10.0;
   // Contact further down the flange (climbing) is a valid position.
   constexpr double tip_height = 2.0;
   const double height = first.radius - input.wheel.rolling_radius;
-  if (has_flange && first.profile_y < scene.tread_y && height > knots.z[tip] - tip_height)
+  if (has_flange && first.profile_y < scene.tread_y && height > tip->z - tip_height)
     throw contact::SolveError(
         where(input, position, left),
         "the wheel stands on the tip of its flange (wheel y = {:.2f} mm) and has "

@@ -52,23 +52,23 @@ struct Change {
 };
 
 contact::HeightCurve changed(const contact::HeightCurve& curve, const Change& change) {
-  const std::vector<double>& knots = curve.knots();
-  auto begin = std::lower_bound(knots.begin(), knots.end(), change.first);
-  auto end = std::upper_bound(begin, knots.end(), change.last);
+  const std::vector<contact::HeightKnot>& knots = curve.knots();
+  auto begin = std::partition_point(knots.begin(), knots.end(),
+                                    [&](const auto& knot) { return knot.y < change.first; });
+  auto end = std::partition_point(begin, knots.end(),
+                                  [&](const auto& knot) { return knot.y <= change.last; });
   // One beyond each end.
   if (begin != knots.begin()) --begin;
   if (end != knots.end()) ++end;
-  std::vector<double> y, z, slope;
-  for (auto* list : {&y, &z, &slope}) list->reserve(static_cast<std::size_t>(end - begin));
+  std::vector<contact::HeightKnot> made;
+  made.reserve(static_cast<std::size_t>(end - begin));
   for (; begin != end; ++begin) {
-    const contact::CurveValue at = curve.at(*begin);
-    y.push_back(change.sign_y * *begin);
-    z.push_back(change.factor * at.value + change.added);
-    slope.push_back(change.sign_y * change.factor * at.slope);
+    const contact::CurveValue at = curve.at(begin->y);
+    made.push_back({change.sign_y * begin->y, change.factor * at.value + change.added,
+                    change.sign_y * change.factor * at.slope});
   }
-  if (change.sign_y < 0.0)
-    for (auto* list : {&y, &z, &slope}) std::reverse(list->begin(), list->end());
-  return {std::move(y), std::move(z), std::move(slope)};
+  if (change.sign_y < 0.0) std::reverse(made.begin(), made.end());
+  return contact::HeightCurve(std::move(made));
 }
 
 /// An axle of the side frame in the frame of a patch: for the right side (sign_y = -1) y changes
@@ -196,7 +196,7 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
             sign_y, at_touch, reach, geometry);
   if (bodies != nullptr) set_surfaces(*bodies, axes, sign_y, touch, geometry);
   geometry.set_free_ends(free_ends(input, scene, axes, axle, left));
-  geometry.set_rounding({rail.knots().rounding, wheel.knots().rounding});
+  geometry.set_rounding({rail.rounding(), wheel.rounding()});
   return geometry;
 }
 

@@ -45,7 +45,7 @@ TEST(SmoothingSpline, WithoutToleranceGoesThroughThePoints) {
   const PointRow points = measured(find_built_in_profile("S1002")->make(), 0.5, 0.01, 1);
   const ProfileCurve curve = smoothing_spline(points, 0.0);
   for (std::size_t k = 0; k < points.y.size(); ++k) {
-    const ProfilePoint place = curve.at(curve.knots().parameter[k]);
+    const ProfilePoint place = curve.at(curve.knots()[k].parameter);
     EXPECT_NEAR(place.y, points.y[k], 1e-12);
     EXPECT_NEAR(place.z, points.z[k], 1e-12);
   }
@@ -78,7 +78,7 @@ TEST(SmoothingSpline, LeavesTheNoiseBetweenPointsAndCurve) {
     EXPECT_GT(report.largest, report.rms);
     double sum = 0.0;
     for (std::size_t k = 0; k < points.y.size(); ++k) {
-      const ProfilePoint place = curve.at(curve.knots().parameter[k]);
+      const ProfilePoint place = curve.at(curve.knots()[k].parameter);
       sum += std::pow(
           (points.z[k] - place.z) * place.tangent_y - (points.y[k] - place.y) * place.tangent_z, 2);
     }

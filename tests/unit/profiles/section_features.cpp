@@ -28,13 +28,7 @@ class Chain {
   profiles::ProfileCurve curve() const { return profiles::ProfileCurve(knots_); }
 
  private:
-  void add() {
-    knots_.parameter.push_back(length_);
-    knots_.y.push_back(y_);
-    knots_.z.push_back(z_);
-    knots_.dy.push_back(std::cos(angle_));
-    knots_.dz.push_back(std::sin(angle_));
-  }
+  void add() { knots_.push_back({length_, y_, z_, std::cos(angle_), std::sin(angle_)}); }
   Chain& go(double length, double turn) {
     const int steps = std::max(2, static_cast<int>(std::ceil(length / 0.2)));
     for (int k = 0; k < steps; ++k) {
@@ -49,7 +43,7 @@ class Chain {
     return *this;
   }
   double y_, z_, angle_, length_ = 0.0;
-  profiles::ProfileKnots knots_;
+  std::vector<profiles::ProfileKnot> knots_;
 };
 
 /// A level head from y = 0 to `width`, then its rounded edge and a flank.
@@ -97,14 +91,9 @@ TEST(SectionFeatures, AreTheMiddlesOfBendsAtWhichTheSurfaceStaysExact) {
 
 TEST(SectionFeatures, KinksAreFeatures) {
   // Of 27 degrees.
-  profiles::ProfileKnots knots;
-  for (double y = -20.0; y <= 20.0; y += 1.0) {
-    knots.parameter.push_back(y);
-    knots.y.push_back(y);
-    knots.z.push_back(std::max(0.0, 0.5 * (y - 3.0)));
-    knots.dy.push_back(1.0);
-    knots.dz.push_back(y > 3.0 ? 0.5 : 0.0);
-  }
+  std::vector<profiles::ProfileKnot> knots;
+  for (double y = -20.0; y <= 20.0; y += 1.0)
+    knots.push_back({y, y, std::max(0.0, 0.5 * (y - 3.0)), 1.0, y > 3.0 ? 0.5 : 0.0});
   std::vector<PlacedSection> sections =
       placed({profiles::ProfileCurve(knots), profiles::ProfileCurve(knots)});
   profiles::find_features(sections);
@@ -147,14 +136,9 @@ std::vector<PlacedSection> beginning_head() {
   std::vector<PlacedSection> sections;
   for (const double u : {0.0, 10.0, 20.0, 30.0, 45.0}) {
     const auto height = [u](double y) { return y < 0.0 ? 1.0 - 0.02 * u : 0.01 * u; };
-    profiles::ProfileKnots knots;
-    for (double y = u < 20.0 ? 0.5 : -30.0; y <= 30.0; y += 0.5) {
-      knots.parameter.push_back(y);
-      knots.y.push_back(y);
-      knots.z.push_back(height(y));
-      knots.dy.push_back(1.0);
-      knots.dz.push_back(0.0);
-    }
+    std::vector<profiles::ProfileKnot> knots;
+    for (double y = u < 20.0 ? 0.5 : -30.0; y <= 30.0; y += 0.5)
+      knots.push_back({y, y, height(y), 1.0, 0.0});
     sections.push_back({u, profiles::ProfileCurve(knots), {u < 20.0 ? missing : 0.5, 10.0}});
   }
   return sections;

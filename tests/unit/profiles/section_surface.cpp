@@ -99,14 +99,9 @@ TEST(SectionSurface, FeaturesLeadTheirPartsSideways) {
   const auto bent = [](double way, double y) { return std::pow(std::max(0.0, y - 0.1 * way), 2); };
   std::vector<PlacedSection> sections;
   for (const double u : {0.0, 20.0, 40.0}) {
-    profiles::ProfileKnots knots;
-    for (const double y : {-30.0, 0.1 * u, 30.0}) {
-      knots.parameter.push_back(y);
-      knots.y.push_back(y);
-      knots.z.push_back(bent(u, y));
-      knots.dy.push_back(1.0);
-      knots.dz.push_back(2.0 * std::max(0.0, y - 0.1 * u));
-    }
+    std::vector<profiles::ProfileKnot> knots;
+    for (const double y : {-30.0, 0.1 * u, 30.0})
+      knots.push_back({y, y, bent(u, y), 1.0, 2.0 * std::max(0.0, y - 0.1 * u)});
     sections.push_back({u, profiles::ProfileCurve(knots), {0.1 * u}});
   }
   const SectionSurface surface(sections, SectionSpline::through);

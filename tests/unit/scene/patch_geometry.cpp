@@ -11,26 +11,26 @@ namespace {
 
 /// z = c (y - y0)^3 + y: cubics are their own Hermite pieces.
 HeightCurve cubic(double c, double y0) {
-  std::vector<double> y, z, slope;
-  for (double at = -3.0; at < 3.1; at += 0.75) {
-    y.push_back(at);
-    z.push_back(c * std::pow(at - y0, 3) + at);
-    slope.push_back(3.0 * c * std::pow(at - y0, 2) + 1.0);
-  }
-  return {y, z, slope};
+  std::vector<HeightKnot> knots;
+  for (double at = -3.0; at < 3.1; at += 0.75)
+    knots.push_back({at, c * std::pow(at - y0, 3) + at, 3.0 * c * std::pow(at - y0, 2) + 1.0});
+  return HeightCurve(knots);
+}
+
+/// A rail that is flat across.
+HeightCurve level(double half_width) {
+  return HeightCurve({{-half_width, 0.0, 0.0}, {half_width, 0.0, 0.0}});
 }
 
 /// A sphere of radius R about a point of the axle: whatever the axle's direction, the same surface.
 PatchGeometry sphere(double radius, const std::array<double, 3>& direction) {
-  std::vector<double> w, r, slope;
+  std::vector<HeightKnot> wheel;
   for (double at = -250.0; at < 250.05; at += 0.1) {
-    w.push_back(at);
-    r.push_back(std::sqrt(radius * radius - at * at));
-    slope.push_back(-at / r.back());
+    const double here = std::sqrt(radius * radius - at * at);
+    wheel.push_back({at, here, -at / here});
   }
   const Axle axle{{0.0, 0.0, radius}, direction};
-  return {HeightCurve({-50.0, 50.0}, {0.0, 0.0}, {0.0, 0.0}), HeightCurve(w, r, slope), axle, -30.0,
-          30.0};
+  return {level(50.0), HeightCurve(wheel), axle, -30.0, 30.0};
 }
 
 }  // namespace
@@ -53,7 +53,9 @@ TEST(HeightCurve, TakesThePieceOfAPlaceHoweverUnevenlyItsKnotsLie) {
     z.push_back(std::sin(7.0 * static_cast<double>(k)));
     slope.push_back(std::cos(5.0 * static_cast<double>(k)));
   }
-  const HeightCurve curve(y, z, slope);
+  std::vector<HeightKnot> knots;
+  for (std::size_t k = 0; k < y.size(); ++k) knots.push_back({y[k], z[k], slope[k]});
+  const HeightCurve curve(knots);
   const auto hermite = [&](std::size_t k, double t) {
     const double h = y[k + 1] - y[k];
     return (1.0 + 2.0 * t) * (1.0 - t) * (1.0 - t) * z[k] +
@@ -98,21 +100,20 @@ TEST(HeightCurve, AveragingLeavesCubicsAlone) {
 /// Heights taken at one place of each element would be those of another, longer wave.
 TEST(HeightCurve, AveragingOverAWaveLeavesItsMeanWhereverItIsTaken) {
   constexpr double length = 0.4, amplitude = 0.01;
-  std::vector<double> y, z, slope;
+  std::vector<HeightKnot> knots;
   for (int k = 0; k <= 1600; ++k) {
-    y.push_back(-4.0 + 0.005 * k);
-    const double phase = 2.0 * M_PI * y.back() / length;
-    z.push_back(amplitude * std::cos(phase));
-    slope.push_back(-amplitude * 2.0 * M_PI / length * std::sin(phase));
+    const double y = -4.0 + 0.005 * k, phase = 2.0 * M_PI * y / length;
+    knots.push_back(
+        {y, amplitude * std::cos(phase), -amplitude * 2.0 * M_PI / length * std::sin(phase)});
   }
-  const HeightCurve curve(y, z, slope);
+  const HeightCurve curve(knots);
   for (const double at : {-1.0, -0.93, 0.0, 0.1, 0.17, 2.05})
     EXPECT_NEAR(curve.at(at).value + curve.averaging(at, length), 0.0, 1e-6 * amplitude) << at;
 }
 
 TEST(HeightCurve, RefusesKnotsThatDoNotRise) {
-  EXPECT_THROW(HeightCurve({0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}), std::invalid_argument);
-  EXPECT_THROW(HeightCurve({0.0}, {0.0}, {0.0}), std::invalid_argument);
+  EXPECT_THROW(HeightCurve(std::vector<HeightKnot>(2)), std::invalid_argument);
+  EXPECT_THROW(HeightCurve(std::vector<HeightKnot>(1)), std::invalid_argument);
 }
 
 TEST(PatchGeometry, SphereIsTheSameAboutAnyAxle) {
@@ -135,13 +136,12 @@ TEST(PatchGeometry, SphereIsTheSameAboutAnyAxle) {
 TEST(PatchGeometry, ConeUnderATiltedAxleIsFlatAcross) {
   // A cone of half angle a about an axle that is tilted by a touches a plane along a line.
   const double angle = 0.3, radius = 400.0;
-  const HeightCurve wheel({-80.0, 80.0},
-                          {radius + 80.0 * std::tan(angle), radius - 80.0 * std::tan(angle)},
-                          {-std::tan(angle), -std::tan(angle)});
+  const double slope = std::tan(angle);
+  const HeightCurve wheel(
+      {{-80.0, radius + 80.0 * slope, -slope}, {80.0, radius - 80.0 * slope, -slope}});
   const Axle axle{{0.0, radius * std::sin(angle), radius * std::cos(angle)},
                   {0.0, std::cos(angle), -std::sin(angle)}};
-  const PatchGeometry patch(HeightCurve({-50.0, 50.0}, {0.0, 0.0}, {0.0, 0.0}), wheel, axle, -20.0,
-                            20.0);
+  const PatchGeometry patch(level(50.0), wheel, axle, -20.0, 20.0);
   for (const double y : {-15.0, 0.0, 15.0}) {
     EXPECT_NEAR(patch.distance(0.0, y), 0.0, 1e-10);
     // Normal curvature of a cone across its generator: cos(a) / radius there.
@@ -155,14 +155,13 @@ TEST(PatchGeometry, ConeUnderATiltedAxleIsFlatAcross) {
 TEST(UndeformedDistance, OfWavesAsShortAsTheElementsIsThatOfTheirMean) {
   constexpr double length = 0.6, amplitude = 0.002, radius = 460.0;
   const auto curve = [&](double height, double of_wave) {
-    std::vector<double> y, z, slope;
+    std::vector<HeightKnot> knots;
     for (int k = 0; k <= 8000; ++k) {
-      y.push_back(-10.0 + 0.0025 * k);
-      const double number = 2.0 * M_PI / length;
-      z.push_back(height + of_wave * std::cos(number * y.back()));
-      slope.push_back(-of_wave * number * std::sin(number * y.back()));
+      const double y = -10.0 + 0.0025 * k, number = 2.0 * M_PI / length;
+      knots.push_back(
+          {y, height + of_wave * std::cos(number * y), -of_wave * number * std::sin(number * y)});
     }
-    return HeightCurve(y, z, slope);
+    return HeightCurve(knots);
   };
   const Axle axle{{0.0, 0.0, radius}, {std::sin(0.005), std::cos(0.005), 0.0}};
   const auto distance = [&](double of_rail, double of_wheel,
@@ -184,13 +183,10 @@ TEST(UndeformedDistance, OfWavesAsShortAsTheElementsIsThatOfTheirMean) {
 TEST(PatchGeometry, UnderLoadIsThatOfAWheelWhoseAxleHasMoved) {
   // A wheel with a wavy tread that sinks by 0.1 mm along z and moves as much as a vertical 0.3 rad
   // beside z says; distances are counted from first touch.
-  std::vector<double> w, r, slope;
-  for (double at = -20.0; at < 20.05; at += 0.1) {
-    w.push_back(at);
-    r.push_back(400.0 + 0.2 * std::sin(0.4 * at));
-    slope.push_back(0.08 * std::cos(0.4 * at));
-  }
-  const HeightCurve rail({-20.0, 20.0}, {0.0, 0.0}, {0.0, 0.0}), wheel(w, r, slope);
+  std::vector<HeightKnot> wavy;
+  for (double at = -20.0; at < 20.05; at += 0.1)
+    wavy.push_back({at, 400.0 + 0.2 * std::sin(0.4 * at), 0.08 * std::cos(0.4 * at)});
+  const HeightCurve rail = level(20.0), wheel(wavy);
   constexpr double approach = 0.1, angle = 0.3;
   const std::array<double, 2> up{std::sin(angle), std::cos(angle)};
   const auto placed = [&](double y, double z) {

@@ -140,8 +140,10 @@ TEST(TwoHeads, OrdinaryRailsHaveOneAndAreNotTried) {
       throw std::logic_error("an ordinary rail was tried");
     });
     EXPECT_EQ(place.tops_and_grooves.size(), 1u) << profile.name;
-    EXPECT_EQ(track::rail_heights(rail, place.tops_and_grooves).knots(),
-              track::rail_heights(rail).knots());
+    const auto heads = track::rail_heights(rail, place.tops_and_grooves).knots(),
+               whole = track::rail_heights(rail).knots();
+    EXPECT_TRUE(std::equal(heads.begin(), heads.end(), whole.begin(), whole.end(),
+                           [](const auto& a, const auto& b) { return a.y == b.y; }));
   }
 }
 
