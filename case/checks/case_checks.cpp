@@ -19,11 +19,6 @@
 
 namespace rollfem::contact {
 
-unsigned section_line(const GivenCase& given, const std::string& section) {
-  const auto found = given.section_lines.find(section);
-  return found == given.section_lines.end() ? 0 : found->second;
-}
-
 namespace {
 
 bool replaces_radii(const GivenCase& given) {
@@ -32,10 +27,8 @@ bool replaces_radii(const GivenCase& given) {
   return false;
 }
 
-[[noreturn]] void fail_missing(const GivenCase& given, const Key& key, unsigned line,
-                               const std::string& section) {
-  fail_missing(given, key.path(), line, "is missing", allowed_values(key),
-               fmt::format("add `{} = {}` under {}", key.name, key.example, section));
+std::string add_to(const std::string& section, const Key& key) {
+  return fmt::format("add `{} = {}` under {}", key.name, key.example, section);
 }
 
 void check_required(const GivenCase& given) {
@@ -48,7 +41,8 @@ void check_required(const GivenCase& given) {
       if (!key.required || given.values.count(&key) > 0) continue;
       if (key.name == "transverse_radius" && given.find(section.name, "profile") != nullptr)
         continue;
-      fail_missing(given, key, section_line(given, section.name), "[" + section.name + "]");
+      fail_at(given, key.path(), "is missing", allowed_values(key),
+              add_to("[" + section.name + "]", key));
     }
   }
 }
@@ -69,7 +63,7 @@ void check_list_lengths(const GivenCase& given) {
       if (!counting && length == 1) continue;
       const auto& [model, expected] = first.try_emplace(key->per, key, &value).first->second;
       if (length == length_of(expected->value)) continue;
-      fail_at(given, key->path(), value,
+      fail_at(given, key->path(),
               fmt::format("has {} entries, but {} of line {} has {}", length, model->path(),
                           expected->line, length_of(expected->value)),
               "lists of one common length, or a single number for all " + key->per,
@@ -83,7 +77,7 @@ void check_order(const GivenCase& given) {
     const auto& list = std::get<std::vector<double>>(value.value);
     const auto fall = std::adjacent_find(list.begin(), list.end(), std::greater_equal<>());
     if (fall != list.end())
-      fail_at(given, key->path(), value,
+      fail_at(given, key->path(),
               fmt::format("does not ascend: {:g} follows {:g}", fall[1], fall[0]),
               "numbers in ascending order, each once",
               "sort them, and the lists that belong to them alike");
@@ -91,9 +85,7 @@ void check_order(const GivenCase& given) {
 }
 
 void check_approach(const GivenCase& given, const Case& input) {
-  const GivenValue* approach = given.find("load", "approach");
-  if (approach == nullptr) return;
-  if (replaces_radii(given)) return;
+  if (given.find("load", "approach") == nullptr || replaces_radii(given)) return;
   const double along = input.geometry.relative_radius.value_or(
       std::min(input.wheel.rolling_radius, std::abs(input.rail.rolling_radius)));
   const double smallest = when::line(given)
@@ -101,7 +93,7 @@ void check_approach(const GivenCase& given, const Case& input) {
                               : std::min({along, std::abs(input.wheel.transverse_radius),
                                           std::abs(input.rail.transverse_radius)});
   if (*input.load.approach < 0.1 * smallest) return;
-  fail_at(given, "load.approach", *approach,
+  fail_at(given, "load.approach",
           fmt::format("is not small against the smallest radius, {} mm", smallest),
           fmt::format("less than {} mm, a tenth of it", 0.1 * smallest),
           "give a smaller approach, or a force; linear elasticity does not cover more");
@@ -109,10 +101,9 @@ void check_approach(const GivenCase& given, const Case& input) {
 
 /// A ring holds its wheel.
 void check_ring(const GivenCase& given, const Case& input) {
-  const GivenValue* ring = given.find("rail", "rolling_radius");
   const double radius = -input.rail.rolling_radius;
-  if (ring == nullptr || radius < 0.0 || radius > input.wheel.rolling_radius) return;
-  fail_at(given, "rail.rolling_radius", *ring,
+  if (radius < 0.0 || radius > input.wheel.rolling_radius) return;
+  fail_at(given, "rail.rolling_radius",
           fmt::format("is a ring that is not larger than the wheel in it, {} mm",
                       input.wheel.rolling_radius),
           "a larger magnitude below 0, or a positive radius (a roller below the wheel)",
@@ -124,10 +115,9 @@ void check_grid_of_line(const GivenCase& given, const Case& input) {
   if (input.geometry.shape != ContactShape::line) return;
   const double width = input.geometry.width;
   const auto check = [&](const char* name, double across, double expected) {
-    const GivenValue* value = given.find("contact_grid", name);
-    if (value == nullptr || std::abs(across - expected) <= 1e-9 * width) return;
+    if (std::abs(across - expected) <= 1e-9 * width) return;
     fail_at(
-        given, std::string("contact_grid.") + name, *value,
+        given, std::string("contact_grid.") + name,
         fmt::format("is not a single row of elements as wide as geometry.width, {:g} mm", width),
         fmt::format("{:g} mm across", expected),
         fmt::format("write {:g} as its second number", expected));
@@ -166,19 +156,18 @@ void check_profile(const GivenCase& given, const std::string& body) {
   for (const auto& [key, value] : given.values) {
     if (key->section != section) continue;
     if (profile == nullptr)
-      fail_at(given, key->path(), value,
-              fmt::format("is not used, because {}.profile is missing", body),
+      fail_at(given, key->path(), fmt::format("is not used, because {}.profile is missing", body),
               fmt::format("[{}] together with [{}] profile", section, body),
               fmt::format("add `profile = \"FILE\"` under [{}], or remove [{}]", body, section));
     std::string by;
     if (!is_read(key->name, std::get<std::string>(profile->value), by))
-      fail_at(given, key->path(), value,
+      fail_at(given, key->path(),
               fmt::format("is not used with {}.profile = {}", body, profile->text), by,
               "remove it, or name another profile");
   }
   if (profile != nullptr && std::get<std::string>(profile->value).empty())
-    fail_at(given, body + ".profile", *profile, "is empty",
-            "a built-in profile, arcs, polynomial or a file", "name one");
+    fail_at(given, body + ".profile", "is empty", "a built-in profile, arcs, polynomial or a file",
+            "name one");
 }
 
 /// The normal force of a load point, if known before solving.
@@ -197,7 +186,7 @@ void check_friction(const GivenCase& given, const Case& input) {
   const double mu = input.friction_coefficient;
   for (const FrictionVariation::Point& point : input.friction_variation.points)
     if (point.coefficient < least_part_of_largest * mu)
-      fail_at(given, "friction.coefficient", *given.find("friction", "coefficient"),
+      fail_at(given, "friction.coefficient",
               fmt::format("has next to no friction at a point, {:g}", point.coefficient),
               fmt::format("at least {:g} times the largest, {:g}", least_part_of_largest, mu),
               "give it a small coefficient, 0.01 say");
@@ -212,12 +201,12 @@ void check_fall_of(const GivenCase& given, double mu, const FrictionFall& fall) 
       fall.polach_a ? *fall.polach_a * mu : fall.kinetic_coefficient.value_or(mu);
   const double least = least_kinetic_part * mu * (1.0 - 1e-12);
   if (!fall.polach_a && (kinetic > mu || kinetic < least))
-    fail_at(given, "friction.kinetic_coefficient", *given.find("friction", "kinetic_coefficient"),
+    fail_at(given, "friction.kinetic_coefficient",
             fmt::format("does not fit friction.coefficient = {:g}, from which friction falls", mu),
             fmt::format("{:g} to {:g}", least_kinetic_part * mu, mu),
             "give the coefficient at rest as friction.coefficient");
   if (fall.second_part > (mu - kinetic) * (1.0 + 1e-12))
-    fail_at(given, "friction.second_part", *given.find("friction", "second_part"),
+    fail_at(given, "friction.second_part",
             fmt::format("is more than friction falls, {:g} from rest to sliding", mu - kinetic),
             fmt::format("0 to {:g}", mu - kinetic), "make it a part of that fall");
 }
@@ -231,9 +220,8 @@ void check_fall(const GivenCase& given, const Case& input) {
   if (input.rolling.problem == Problem::shift || input.rolling.problem == Problem::frictionless ||
       input.rolling.speed > 0.0)
     return;
-  fail_at(given, "rolling.speed", *given.find("rolling", "speed"),
-          "leaves the friction at rest, although friction.law is given", "above 0 mm/s",
-          "give the rolling speed, or write `law = \"constant\"` under [friction]");
+  fail_at(given, "rolling.speed", "leaves the friction at rest, although friction.law is given",
+          "above 0 mm/s", "give the rolling speed, or write `law = \"constant\"` under [friction]");
 }
 
 void check_friction_limit(const GivenCase& given, const Case& input) {
@@ -246,7 +234,7 @@ void check_friction_limit(const GivenCase& given, const Case& input) {
     const double limit = input.friction_coefficient * *normal;
     if (size < limit * (1.0 - 1e-12)) continue;
     const char* name = forces[k].longitudinal ? "longitudinal_force" : "lateral_force";
-    fail_at(given, std::string("rolling.") + name, *given.find("rolling", name),
+    fail_at(given, std::string("rolling.") + name,
             fmt::format("asks for {:.6g} N at load point {}, but friction transmits less than mu "
                         "F_z = {:.6g} N",
                         size, k + 1, limit),
@@ -257,8 +245,7 @@ void check_friction_limit(const GivenCase& given, const Case& input) {
 
 void check_rigid(const GivenCase& given, const Case& input) {
   if (!input.wheel.material.rigid() || !input.rail.material.rigid()) return;
-  fail_at(given, "rail.young_modulus", *given.find("rail", "young_modulus"),
-          "makes both bodies rigid, so that they touch in a point",
+  fail_at(given, "rail.young_modulus", "makes both bodies rigid, so that they touch in a point",
           "inf for at most one of wheel and rail", "give one of them a finite modulus");
 }
 
@@ -267,16 +254,14 @@ void check_rigid(const GivenCase& given, const Case& input) {
 void check_inertia(const GivenCase& given, const Case& input) {
   if (!input.fem.inertia) return;
   if (!feels_inertia(input))
-    fail_at(given, "fem.inertia", *given.find("fem", "inertia"),
-            "needs a rolling speed, and rolling.speed is 0", "true with rolling.speed > 0",
-            "give `speed` in mm/s under [rolling], or remove it");
-  const GivenValue& speed = *given.find("rolling", "speed");
+    fail_at(given, "fem.inertia", "needs a rolling speed, and rolling.speed is 0",
+            "true with rolling.speed > 0", "give `speed` in mm/s under [rolling], or remove it");
   for (const bool wheel : {true, false}) {
     const Material& material = wheel ? input.wheel.material : input.rail.material;
     const double limit = largest_rayleigh_fraction * rayleigh_speed(material);
     if (input.rolling.speed < limit) continue;
     fail_at(
-        given, "rolling.speed", speed,
+        given, "rolling.speed",
         fmt::format("is at or above {} of the Rayleigh wave speed of the {}, {:.4g} mm/s",
                     largest_rayleigh_fraction, wheel ? "wheel" : "rail", rayleigh_speed(material)),
         fmt::format("below {:.4g} mm/s", limit),
@@ -305,7 +290,7 @@ void repeat_load_points(const GivenCase& given, Case& input) {
   const GivenValue* passes = given.find("fem", "passes");
   if (passes == nullptr) input.fem.passes = points;
   if (input.fem.passes < points)
-    fail_at(given, "fem.passes", *passes,
+    fail_at(given, "fem.passes",
             fmt::format("leaves out some of the {} load points, each of which is a pass", points),
             fmt::format("at least {}, one cycle of them", points),
             "raise it, or shorten the lists of creepages or forces");
@@ -329,31 +314,28 @@ void check_plasticity(const GivenCase& given, const char* body, const BodyPlasti
   };
   const auto need = [&](const char* key, const char* allowed, const char* action) {
     if (given.find(section, key) == nullptr)
-      fail_missing(given, section + "." + key, section_line(given, section), "is missing", allowed,
-                   fmt::format("add `{} under [{}]", action, section));
+      fail_at(given, section + "." + key, "is missing", allowed,
+              fmt::format("add `{} under [{}]", action, section));
   };
   need("yield_stress", "the stress in tension at which the steel yields", "yield_stress = 520.0`");
   if (length("recovery") > 0)
     need("hardening", "the moduli of the back stresses that recover", "hardening = 100e3`");
   const bool lists = length("residual_along") + length("residual_across") > 0;
   if (!steel.residual.file.empty() && (lists || length("residual_depth") > 0))
-    fail_at(given, section + ".residual_file", *given.find(section, "residual_file"),
-            "stands beside lists of the residual stress", "the file or the lists",
-            "remove one of the two");
+    fail_at(given, section + ".residual_file", "stands beside lists of the residual stress",
+            "the file or the lists", "remove one of the two");
   if (lists) need("residual_depth", "depths of the lists", "residual_depth = [0.0, 5.0]`");
   constexpr std::size_t most = BodyPlasticity::most_back_stresses;
   if (length("hardening") > most)
-    fail_at(given, section + ".hardening", *given.find(section, "hardening"),
-            fmt::format("has {} back stresses", length("hardening")),
+    fail_at(given, section + ".hardening", fmt::format("has {} back stresses", length("hardening")),
             fmt::format("one to {} moduli", most), "join those that saturate at similar strains");
   if (steel.rise < 0.0 && -steel.rise >= steel.yield_stress)
-    fail_at(given, section + ".isotropic_rise", *given.find(section, "isotropic_rise"),
-            "softens the steel to nothing",
+    fail_at(given, section + ".isotropic_rise", "softens the steel to nothing",
             fmt::format("above {:g} MPa (minus the yield stress)", -steel.yield_stress),
             "give a smaller softening");
   if ((steel.rise != 0.0) != (steel.rate != 0.0)) {
     const std::string key = steel.rise != 0.0 ? "isotropic_rise" : "isotropic_rate";
-    fail_at(given, section + "." + key, *given.find(section, key), "has no effect by itself",
+    fail_at(given, section + "." + key, "has no effect by itself",
             "isotropic_rise together with isotropic_rate", "give both of them, or neither");
   }
 }
@@ -367,35 +349,32 @@ const GivenValue* GivenCase::find(const std::string& section, const std::string&
 
 std::string word_of(const GivenCase& given, const char* section, const char* name) {
   const GivenValue* value = given.find(section, name);
-  return std::get<std::string>(value == nullptr ? find_key(section, name)->get(default_case())
+  return std::get<std::string>(value == nullptr ? find_key(section, name)->get(Case())
                                                 : value->value);
-}
-
-bool is_option(const std::string& file) {
-  return file.rfind("--set ", 0) == 0;
 }
 
 void fail(const std::string& file, const CaseProblem& problem) {
   std::string place = file, text;
-  if (!is_option(file)) {
-    if (problem.line > 0) place += fmt::format(":{}:{}", problem.line, problem.column);
-    text += problem.key;
-    if (!problem.value.empty()) text += " = " + problem.value;
-    if (!problem.key.empty()) text += ": ";
-  }
+  if (problem.line > 0) place += fmt::format(":{}:{}", problem.line, problem.column);
+  text += problem.key;
+  if (!problem.value.empty()) text += " = " + problem.value;
+  if (!problem.key.empty()) text += ": ";
   text += problem.wrong;
   if (!problem.allowed.empty()) text += "; allowed: " + problem.allowed;
   if (!problem.action.empty()) text += "; do: " + problem.action;
   throw CaseError({place}, text);
 }
 
-void fail_at(const GivenCase& given, const std::string& path, const GivenValue& value,
-             const std::string& wrong, const std::string& allowed, const std::string& action) {
-  fail(given.file, {value.line, value.column, path, value.text, wrong, allowed, action});
-}
-
-void fail_missing(const GivenCase& given, const std::string& path, unsigned line,
-                  const std::string& wrong, const std::string& allowed, const std::string& action) {
+void fail_at(const GivenCase& given, const std::string& path, const std::string& wrong,
+             const std::string& allowed, const std::string& action) {
+  const Key* key = find_key(path);
+  const auto found = given.values.find(key);
+  if (found != given.values.end())
+    fail(given.file, {found->second.line, found->second.column, path, found->second.text, wrong,
+                      allowed, action});
+  // Missing: the message shows where its section begins, if there is one.
+  const auto section = given.section_lines.find(key->section);
+  const unsigned line = section == given.section_lines.end() ? 0 : section->second;
   fail(given.file, {line, line > 0 ? 1U : 0U, path, "", wrong, allowed, action});
 }
 
@@ -403,7 +382,8 @@ void check_entries(const GivenCase& given) {
   for (const GivenEntry& entry : given.entries)
     for (const Key& key : case_keys())
       if (key.section == entry.section && key.required && entry.values.count(&key) == 0)
-        fail_missing(given, key, entry.line, "[[" + entry.section + "]]");
+        fail(given.file, {entry.line, 1, key.path(), "", "is missing", allowed_values(key),
+                          add_to("[[" + entry.section + "]]", key)});
 }
 
 void check_together(const GivenCase& given) {
@@ -427,8 +407,7 @@ void check_geometry(const GivenCase& given, const Case& input) {
   if (1.0 / wheel + 1.0 / rail > 1e-9 * scale) return;
   const auto fail_here = [&](const std::string& wrong, const std::string& allowed,
                              const std::string& action) {
-    fail_at(given, "wheel.transverse_radius", *given.find("wheel", "transverse_radius"), wrong,
-            allowed, action);
+    fail_at(given, "wheel.transverse_radius", wrong, allowed, action);
   };
   if (std::isinf(wheel) && std::isinf(rail))
     fail_here("flat on a flat rail is an endless line contact",
@@ -463,9 +442,11 @@ void check_places(const GivenCase& given, const Case& input, bool bodies) {
                                const std::string& allowed, const std::string& action) {
       const Key* declared = find_key(entry.section, key);
       const auto found = entry.values.find(declared);
-      if (found != entry.values.end())
-        fail_at(given, declared->path(), found->second, wrong, allowed, action);
-      fail(given.file, {entry.line, 0, "", "", wrong, allowed, action});
+      if (found == entry.values.end())
+        fail(given.file, {entry.line, 0, "", "", wrong, allowed, action});
+      const GivenValue& value = found->second;
+      fail(given.file,
+           {value.line, value.column, declared->path(), value.text, wrong, allowed, action});
     };
     using Kind = SubsurfaceRequest::Kind;
     // Corners of a line on the surface have z = 0.
@@ -551,10 +532,8 @@ void complete(const GivenCase& given, Case& input) {
 }
 
 void check_values(const GivenCase& given, const Case& input) {
-  for (const bool wheel : {true, false}) {
-    const Body& body = wheel ? static_cast<const Body&>(input.wheel) : input.rail;
-    if (body.plasticity) check_plasticity(given, wheel ? "wheel" : "rail", *body.plasticity);
-  }
+  if (input.wheel.plasticity) check_plasticity(given, "wheel", *input.wheel.plasticity);
+  if (input.rail.plasticity) check_plasticity(given, "rail", *input.rail.plasticity);
   check_rigid(given, input);
   check_friction(given, input);
   check_fall(given, input);

@@ -52,9 +52,6 @@ struct CaseProblem {
   std::string action;
 };
 
-/// `file` is a change by --set as typed: it contains key and value and has no lines.
-bool is_option(const std::string& file);
-
 /// Throws CaseError with the message.
 [[noreturn]] void fail(const std::string& file, const CaseProblem& problem);
 
@@ -80,18 +77,9 @@ void complete(const GivenCase& given, Case& input);
 /// subsurface points in their body. Throws InputError.
 void check_values(const GivenCase& given, const Case& input);
 
-/// Throws InputError: the value at `path` is wrong.
-[[noreturn]] void fail_at(const GivenCase& given, const std::string& path, const GivenValue& value,
-                          const std::string& wrong, const std::string& allowed,
-                          const std::string& action);
-
-/// Throws InputError: the key is missing in a section that begins on this line (0: missing too).
-[[noreturn]] void fail_missing(const GivenCase& given, const std::string& path, unsigned line,
-                               const std::string& wrong, const std::string& allowed,
-                               const std::string& action);
-
-/// Line on which a section begins, 0 if missing.
-unsigned section_line(const GivenCase& given, const std::string& section);
+/// Throws InputError about a key, "section.name": its value is wrong, or it is missing.
+[[noreturn]] void fail_at(const GivenCase& given, const std::string& path, const std::string& wrong,
+                          const std::string& allowed, const std::string& action);
 
 /// Rejects geometry without concentrated contact. Throws InputError.
 void check_geometry(const GivenCase& given, const Case& input);

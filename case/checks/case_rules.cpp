@@ -446,7 +446,7 @@ bool matches(const std::string& pattern, const std::string& path) {
 
 /// A value without effect: the default, no curvature, no motion.
 bool asks_for_nothing(const Key& key, const GivenValue& given) {
-  static const Case defaults = default_case();
+  static const Case defaults;
   if (key.get(defaults) == given.value) return true;
   if (const auto* number = std::get_if<double>(&given.value)) return std::isinf(*number);
   if (const auto* text = std::get_if<std::string>(&given.value)) return *text == "planar";
@@ -488,8 +488,7 @@ void check_exclusion(const GivenCase& given, const Exclusion& rule) {
           fmt::arg("slip", word_of(given, "rolling", "extra_slip")),
           fmt::arg("law", word_of(given, "friction", "law")), fmt::arg("laws", falling_laws()));
     };
-    fail_at(given, found->first->path(), found->second, filled(rule.wrong), filled(rule.allowed),
-            rule.action);
+    fail_at(given, found->first->path(), filled(rule.wrong), filled(rule.allowed), rule.action);
   }
 }
 
@@ -505,7 +504,7 @@ void check_rivals(const GivenCase& given, const Rivals& rule) {
     const Given* found = find_match(given, pattern, is_none);
     if (found == nullptr || (rule.by_point && leaves_points(found->second))) continue;
     if (first != nullptr)
-      fail_at(given, found->first->path(), found->second,
+      fail_at(given, found->first->path(),
               fmt::format("contradicts {} = {} of line {}{}", first->first->path(),
                           first->second.text, first->second.line, rule.why),
               rule.allowed, "remove one of the two");
@@ -516,11 +515,8 @@ void check_rivals(const GivenCase& given, const Rivals& rule) {
 void check_need(const GivenCase& given, const Need& rule) {
   if (!rule.where(given)) return;
   for (const char* key : rule.one_of)
-    for (const auto& [known, value] : given.values)
-      if (known->path() == key) return;
-  const std::string path = rule.one_of.front();
-  fail_missing(given, path, section_line(given, path.substr(0, path.find('.'))), rule.wrong,
-               rule.allowed, rule.action);
+    if (given.values.count(find_key(key)) > 0) return;
+  fail_at(given, rule.one_of.front(), rule.wrong, rule.allowed, rule.action);
 }
 
 /// The constants of a law have no meaning for another one.
@@ -529,9 +525,8 @@ void check_constants(const GivenCase& given) {
   for (const FallShape& shape : fall_shapes())
     for (const FallShape::Constant& own : shape.constants) {
       if (own.name == nullptr || law == shape.word) continue;
-      const GivenValue* found = given.find("friction", own.name);
-      if (found != nullptr)
-        fail_at(given, std::string("friction.") + own.name, *found,
+      if (given.find("friction", own.name) != nullptr)
+        fail_at(given, std::string("friction.") + own.name,
                 fmt::format("is of the law {}, but friction.law is {}", shape.word, law),
                 fmt::format("with law = \"{}\"", shape.word), "remove it, or choose that law");
     }

@@ -82,8 +82,10 @@ const Key* find_key(const std::string& section, const std::string& name) {
   return nullptr;
 }
 
-Case default_case() {
-  return {};
+const Key* find_key(const std::string& path) {
+  for (const Key& key : case_keys())
+    if (key.path() == path) return &key;
+  return nullptr;
 }
 
 }  // namespace rollfem::contact

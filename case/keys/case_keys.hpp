@@ -106,8 +106,7 @@ const std::vector<Key>& case_keys();
 
 /// The key with this section and name, nullptr if unknown.
 const Key* find_key(const std::string& section, const std::string& name);
-
-/// A case in which every optional key has its default, without models.
-Case default_case();
+/// The same by Key::path.
+const Key* find_key(const std::string& path);
 
 }  // namespace rollfem::contact

@@ -55,7 +55,7 @@ void read_files(const GivenCase& given, Case& input) {
     if (mesh == nullptr ||
         std::filesystem::is_regular_file(folder / std::get<std::string>(mesh->value), error))
       continue;
-    fail_at(given, std::string(body) + ".mesh", *mesh, "there is no such mesh file",
+    fail_at(given, std::string(body) + ".mesh", "there is no such mesh file",
             "a gmsh mesh (.msh), its path relative to the case file",
             "check the path, or omit the key: rollfem then meshes the body");
   }
@@ -64,7 +64,7 @@ void read_files(const GivenCase& given, Case& input) {
 /// The case of keys that have passed their own checks.
 Case case_of(const GivenCase& given, const std::vector<std::string>& models_by_default) {
   check_together(given);
-  Case input = default_case();
+  Case input;
   input.models = models_by_default;
   set_values(input, given.values);
   for (const GivenEntry& entry : given.entries) {
@@ -126,7 +126,7 @@ Change read_change(const std::string& text, const KnownNames& known) {
         fmt::format("{}: [[{}]] may be repeated; allowed: keys of other sections; do: "
                     "change it in the case file",
                     option, change.section));
-  static_cast<void>(read_toml(header + change.line() + "\n", option, known));
+  static_cast<void>(read_toml(header + change.line() + "\n", option, known, true));
   return change;
 }
 
@@ -192,7 +192,7 @@ std::vector<std::pair<const Key*, std::string>> named_files(const Case& input) {
 // Descriptions of a case: `check`, `new-case` and the reference page.
 
 Case defaults(const KnownNames& known) {
-  Case input = default_case();
+  Case input;
   input.models = known.default_models;
   return input;
 }
@@ -252,8 +252,7 @@ Case make_case(const NamedValues& values, const std::string& name) {
   GivenCase given;
   given.file = name;
   for (const auto& [path, value] : values) {
-    const std::size_t dot = path.find('.');
-    const Key* key = find_key(path.substr(0, dot), path.substr(dot + 1));
+    const Key* key = find_key(path);
     if (key == nullptr) throw std::logic_error(path + " is not a key of a case");
     given.values[key] = checked_value(name, *key, value);
     given.section_lines.emplace(key->section, 0);

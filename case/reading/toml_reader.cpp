@@ -67,8 +67,8 @@ std::string move_to(const std::vector<std::string>& sections, const std::string&
 /// Converts TOML into checked key values; every fault becomes one InputError.
 class Reader {
  public:
-  Reader(const std::string& text, const std::string& file, const KnownNames& known)
-      : source_(text, file), known_(known) {
+  Reader(const std::string& text, const std::string& file, const KnownNames& known, bool option)
+      : source_(text, file, option), known_(known) {
     given_.file = file;
   }
 
@@ -114,18 +114,17 @@ class Reader {
   }
 
   [[noreturn]] void fail_invalid(unsigned line, unsigned column, const std::string& wrong) const {
-    const bool option = is_option(given_.file);
+    const bool option = source_.is_option();
     if (!option && !source_.looks_like_case())
       fail_file(given_.file,
                 "is not a case file: most of its lines are neither keys with values nor sections",
                 "give a case file in TOML; `rollfem new-case` prints one");
-    fail(given_.file,
-         {line, column, "", "",
-          option ? "not a value in TOML: " + wrong
-                 : fmt::format("not valid TOML in `{}`: {}", source_.line(line), wrong),
-          "",
-          option ? "write the value as in a case file"
-                 : "correct this line; `rollfem new-case` prints a valid case file"});
+    source_.fail({line, column, "", "",
+                  option ? "not a value in TOML: " + wrong
+                         : fmt::format("not valid TOML in `{}`: {}", source_.line(line), wrong),
+                  "",
+                  option ? "write the value as in a case file"
+                         : "correct this line; `rollfem new-case` prints a valid case file"});
   }
 
   /// `parent` holds lists of sections, written [[parent.child]].
@@ -170,7 +169,7 @@ class Reader {
     problem.allowed = "[[subsurface.NAME]] with NAME one of " + joined(names);
     problem.action =
         "write for instance [[subsurface.line]] on a line of its own and its keys below";
-    fail(given_.file, problem);
+    source_.fail(problem);
   }
 
   void read_section(const std::string& section, const toml::node& node) {
@@ -183,7 +182,7 @@ class Reader {
       problem.allowed =
           fmt::format("[{0}] once, with keys like {0}.{1}", section, keys_of(section).front());
       problem.action = fmt::format("write [{}] on a line of its own and its keys below", section);
-      fail(given_.file, problem);
+      source_.fail(problem);
     }
     given_.section_lines[section] = source.begin.line;
     for (const auto& [name, child] : *table)
@@ -208,7 +207,7 @@ class Reader {
     problem.allowed = joined(here);
     const std::string near = nearest_name(name, here);
     const std::vector<std::string> elsewhere = sections_that_have(name);
-    const bool option = is_option(given_.file);
+    const bool option = source_.is_option();
     if (option) problem.wrong = problem.key + ' ' + problem.wrong;
     if (!elsewhere.empty())
       problem.action = move_to(elsewhere, name, option);
@@ -216,7 +215,7 @@ class Reader {
       problem.action = fmt::format("did you mean `{}`? Write that, or remove the key", near);
     else
       problem.action = "remove it; docs/case-file.md lists all keys";
-    fail(given_.file, problem);
+    source_.fail(problem);
   }
 
   const TomlSource source_;
@@ -230,8 +229,9 @@ void fail_file(const std::string& file, const std::string& wrong, const std::str
   throw FileError(file + ": " + wrong + "; do: " + action);
 }
 
-GivenCase read_toml(const std::string& text, const std::string& file, const KnownNames& known) {
-  return Reader(text, file, known).read();
+GivenCase read_toml(const std::string& text, const std::string& file, const KnownNames& known,
+                    bool option) {
+  return Reader(text, file, known, option).read();
 }
 
 }  // namespace rollfem::contact

@@ -10,8 +10,9 @@
 namespace rollfem::contact {
 
 /// Checks that every key is known and its value allowed, not their consistency. `file` is used in
-/// messages. Throws InputError.
-GivenCase read_toml(const std::string& text, const std::string& file, const KnownNames& known = {});
+/// messages; with `option` it is a change by --set as typed. Throws InputError.
+GivenCase read_toml(const std::string& text, const std::string& file, const KnownNames& known = {},
+                    bool option = false);
 
 /// Throws FileError: the file as a whole is wrong.
 [[noreturn]] void fail_file(const std::string& file, const std::string& wrong,

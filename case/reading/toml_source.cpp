@@ -133,7 +133,7 @@ std::size_t find_long_key(std::string_view text) {
 constexpr std::size_t longest_text = 200;
 
 std::string instance_of(const Key& key) {
-  const std::string value = key.example.empty() ? toml_text(key.get(default_case())) : key.example;
+  const std::string value = key.example.empty() ? toml_text(key.get(Case())) : key.example;
   if (!value.empty()) return fmt::format("`{} = {}`", key.name, value);
   if (key.kind == KeyKind::text) return fmt::format("`{} = \"points.csv\"`", key.name);
   if (key.kind == KeyKind::pair) return fmt::format("`{} = [0.2, 0.2]`", key.name);
@@ -183,10 +183,10 @@ class ValueReader {
  private:
   [[noreturn]] void fail_value(const std::string& wrong) const {
     const bool words = key_.kind == KeyKind::word || key_.kind == KeyKind::words;
-    fail(source_.file(),
-         {given_.line, given_.column, key_.path(), given_.text, wrong, allowed_values(key_, known_),
-          words ? "write one of these names in quotes"
-                : fmt::format("correct it, for instance {}", instance_of(key_))});
+    source_.fail({given_.line, given_.column, key_.path(), given_.text, wrong,
+                  allowed_values(key_, known_),
+                  words ? "write one of these names in quotes"
+                        : fmt::format("correct it, for instance {}", instance_of(key_))});
   }
 
   KeyValue value() const {
@@ -323,13 +323,18 @@ std::string meaning_of(std::string_view description, const std::string& line) {
   return printable(description, 200);
 }
 
-TomlSource::TomlSource(const std::string& text, std::string file)
-    : text_(text), file_(std::move(file)) {
+TomlSource::TomlSource(const std::string& text, std::string file, bool option)
+    : text_(text), file_(std::move(file)), option_(option) {
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     lines_.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
+}
+
+void TomlSource::fail(CaseProblem problem) const {
+  if (option_) problem.line = 0, problem.key.clear(), problem.value.clear();
+  contact::fail(file_, problem);
 }
 
 bool TomlSource::looks_like_case() const {

@@ -16,9 +16,13 @@ namespace rollfem::contact {
 
 class TomlSource {
  public:
-  TomlSource(const std::string& text, std::string file);
+  TomlSource(const std::string& text, std::string file, bool option = false);
 
   const std::string& file() const { return file_; }
+  /// Whether `file` is a change by --set as typed: it contains key and value and has no lines.
+  bool is_option() const { return option_; }
+  /// Throws InputError with the message, which leaves out what `file` shows already.
+  [[noreturn]] void fail(CaseProblem problem) const;
   const std::string& text() const { return text_; }
   const std::vector<std::string>& lines() const { return lines_; }
   /// Whether most lines that begin with a letter are keys with values, or [sections]: messages
@@ -34,6 +38,7 @@ class TomlSource {
  private:
   const std::string& text_;
   std::string file_;
+  bool option_;
   std::vector<std::string> lines_;
 };
 

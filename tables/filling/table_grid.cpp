@@ -223,7 +223,7 @@ std::string ignored_keys(const contact::Case& input) {
                                       {"rolling", "longitudinal_force"},
                                       {"rolling", "lateral_force"}}) {
     const contact::Key& key = *contact::find_key(section, name);
-    if (key.get(input) != key.get(contact::default_case()))
+    if (key.get(input) != key.get(contact::Case()))
       ignored += (ignored.empty() ? "" : ", ") + key.path();
   }
   if (ignored.empty()) return "";

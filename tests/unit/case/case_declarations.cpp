@@ -13,7 +13,7 @@ namespace {
 
 /// A value that each key of that kind takes and that is no default.
 KeyValue other_value(const Key& key) {
-  const KeyValue initial = key.get(default_case());
+  const KeyValue initial = key.get(Case());
   switch (key.kind) {
     case KeyKind::text:
       return std::string("other");
@@ -51,7 +51,7 @@ TEST(CaseDeclarations, AllowedValuesFillTheMember) {
       const auto& values = section.repeated ? given.entries.at(0).values : given.values;
       ASSERT_EQ(values.count(&key), 1u) << key.path();
       EXPECT_EQ(values.at(&key).value, value) << key.path();
-      Case input = default_case();
+      Case input;
       key.set(input, value);
       EXPECT_EQ(key.get(input), value) << key.path();
     }
@@ -104,7 +104,7 @@ TEST(CaseDeclarations, CheckTemplateAndReferenceNameEveryKey) {
   const std::string page = case_reference_markdown();
   for (const Section& section : case_sections())
     for (const Key& key : section) {
-      Case input = default_case();
+      Case input;
       input.wheel.profile.name = "S1002";  // without one, [track] and the like are not talked of
       input.wheelset.on_rail = section.on_rail.value_or(false);
       key.set(input, other_value(key));
