@@ -156,7 +156,7 @@ const std::vector<Exclusion> exclusions{
      "\"torque\" with side = \"both\", or \"force\" for each wheel separately",
      "write `side = \"both\"` under [wheelset]"},
     {when::steps,
-     {"wheelset.free_rolling", "placement.free_rolling"},
+     {"*.free_rolling"},
      "is for steady rolling, and rolling.problem is {problem}",
      "free rolling with the problem steady",
      "remove it"},
@@ -172,7 +172,7 @@ const std::vector<Exclusion> exclusions{
      "a force with the problems steady, shift, transient",
      "remove it, or choose another rolling.problem"},
     {when::frictionless,
-     {"wheelset.free_rolling", "placement.free_rolling"},
+     {"*.free_rolling"},
      "has no effect without friction (problem frictionless)",
      "free rolling with the problem steady",
      "remove it, or choose `problem = \"steady\"`"},
@@ -288,18 +288,7 @@ const std::vector<Rivals> rivals{
     {{"track.rail_position", "track.gauge_height"},
      ", which is of the gauge",
      "rail_position alone"},
-    {{"wheelset.free_rolling", "wheelset.rotation_change", "rolling.longitudinal_creepage"},
-     along_x,
-     one_along_x},
-    {{"wheelset.free_rolling", "wheelset.rotation_change", "rolling.longitudinal_force"},
-     along_x,
-     one_along_x},
-    {{"placement.free_rolling", "placement.rotation_change", "rolling.longitudinal_creepage"},
-     along_x,
-     one_along_x},
-    {{"placement.free_rolling", "placement.rotation_change", "rolling.longitudinal_force"},
-     along_x,
-     one_along_x},
+    {{"*.free_rolling", "*.rotation_change", "rolling.longitudinal_*"}, along_x, one_along_x},
     {{"rolling.longitudinal_creepage", "rolling.longitudinal_force"}, along_x, one_along_x, true},
     {{"rolling.lateral_creepage", "rolling.lateral_force"},
      ", which follows from the force",
@@ -445,7 +434,7 @@ bool matches(const std::string& pattern, const std::string& path) {
 }
 
 /// A value without effect: the default, no curvature, no motion.
-bool asks_for_nothing(const Key& key, const GivenValue& given) {
+bool has_no_effect(const Key& key, const GivenValue& given) {
   static const Case defaults;
   if (key.get(defaults) == given.value) return true;
   if (const auto* number = std::get_if<double>(&given.value)) return std::isinf(*number);
@@ -480,7 +469,7 @@ std::string falling_laws() {
 void check_exclusion(const GivenCase& given, const Exclusion& rule) {
   if (!rule.where(given)) return;
   for (const char* pattern : rule.keys) {
-    const Given* found = find_match(given, pattern, rule.defaults_too ? is_none : asks_for_nothing);
+    const Given* found = find_match(given, pattern, rule.defaults_too ? is_none : has_no_effect);
     if (found == nullptr) continue;
     const auto filled = [&](const char* text) {
       return fmt::format(
