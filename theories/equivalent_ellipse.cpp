@@ -4,7 +4,7 @@
 #include "base/count.hpp"
 #include "base/errors.hpp"
 #include "base/pi.hpp"
-#include "contact/solve/load_sharing.hpp"
+#include "contact/solve/pressure_share.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"
@@ -257,7 +257,7 @@ ModelResult run_tilted_load(const contact::Model& model, const Scene& scene,
   Scene single = scene;
   ModelResult result;
   const auto [across, upwards] = wanted.direction;
-  contact::LoadSharing sharing;
+  contact::PressureShare sharing;
   sharing.load = *wanted.force;
   sharing.tolerance = carried_to / upwards;
   try {

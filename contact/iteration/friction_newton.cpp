@@ -16,9 +16,6 @@ namespace rollfem::contact {
 
 namespace {
 
-/// From this steepness of the law on (contact::steepness) there may be several solutions.
-constexpr double steep = 0.5;
-
 /// A slip at which all laws are down to their kinetic friction.
 constexpr double fast = 1e9;
 
@@ -37,19 +34,6 @@ double largest_real_part(const Eigen::MatrixXd& hessenberg) {
     k += of_pair ? 1 : 0;
   }
   return largest;
-}
-
-/// The memory distance, mm, with which the law is no longer steep.
-double sufficient_memory(const FrictionLaw& law, double steepness, double way) {
-  const double wanted = steep * steepest_fall(law, way, law.memory()) / steepness;
-  const double least_slip = law.memory() ? law.memory()->least_slip : 0.0;
-  double lower = 1e-9, upper = 1e3;
-  while (upper > 1.01 * lower) {
-    const double middle = std::sqrt(lower * upper);
-    const bool enough = steepest_fall(law, way, FrictionMemory{middle, least_slip}) < wanted;
-    (enough ? upper : lower) = middle;
-  }
-  return upper;
 }
 
 /// The full-stick solution is only a start, but errors of its tractions from row to row misplace
@@ -73,20 +57,6 @@ void enlarge(Eigen::VectorXd& values, Eigen::Index n) {
 }
 
 }  // namespace
-
-SteepCause steep_cause(const FrictionLaw& law, double steepness, double way) {
-  SteepCause words{"friction falls so steeply with the slip velocity",
-                   "give friction.memory_distance, or a larger one, or a larger half_velocity"};
-  if (law.feels_slip() && way > 0.0 && steepness > steep)
-    words.cure = fmt::format(
-        "give friction.memory_distance (one state from about {:.2g} mm), or a larger half_velocity",
-        sufficient_memory(law, steepness, way));
-  if (!law.plasticity || law.plasticity->hardening >= 0.0) return words;
-  const std::string cure = "give a layer.hardening nearer to 0";
-  if (!law.feels_slip()) return {"the layer softens so fast", cure};
-  return {"friction falls with the slip velocity and the layer softens so fast",
-          cure + ", or " + words.cure};
-}
 
 /// Of a single element, or of all together: with tractions in proportion to the pressure, the
 /// largest slip per traction bounds the feedback of operators with positive entries, such as those
@@ -121,7 +91,7 @@ bool FrictionNewton::follow_bounds(double scale) {
   double step = 1.0;   // of time
   int turns = 0;
   const bool from_sliding =
-      (problem_->law.branch == FrictionBranch::sliding) != options_->other_branch;
+      (problem_->friction->branch == FrictionBranch::sliding) != options_->other_branch;
   if (from_sliding) {
     slip_change_.setConstant(fast / problem_->motion.slip_factor);
     state_.set_bound(slip_change_, slip_change_, point_->bound);
@@ -283,7 +253,6 @@ void FrictionNewton::fail(double scale) const {
       "required {:.3g}",
       point_->norm / scale, effort_.newton_steps, effort_.krylov_iterations, options_->tolerance);
   if (!steep_) throw SolveError("the tangential contact iteration did not converge: " + how);
-  const ContactGrid& grid = problem_->grid;
   const Index k = (*places_)[static_cast<std::size_t>(most_changed_element_)];
   const std::string found =
       effort_.feedback
@@ -291,27 +260,29 @@ void FrictionNewton::fail(double scale) const {
                         *effort_.feedback)
           : std::string("Newton's method found none");
   const SteepCause steep =
-      steep_cause(problem_->law, effort_.steepness,
-                  problem_->motion.past ? problem_->motion.past->length : grid.dx);
+      steep_cause(*problem_->friction, effort_.steepness,
+                  problem_->motion.past ? problem_->motion.past->length : grid_->dx);
   throw NoSteadyFriction(
       fmt::format("{} (steepness {:.2g}) that no stable steady state was found: {}, and bounds "
                   "went up and down most at x = "
                   "{:.4g} mm, y = {:.4g} mm; such surfaces stick and slip in turn, which steps of "
                   "rolling.problem = \"transient\" follow; do: {} ({})",
-                  steep.cause, effort_.steepness, found, grid.x(static_cast<int>(k % grid.nx)),
-                  grid.y(static_cast<int>(k / grid.nx)), steep.cure, how));
+                  steep.cause, effort_.steepness, found, grid_->x(static_cast<int>(k % grid_->nx)),
+                  grid_->y(static_cast<int>(k / grid_->nx)), steep.cure, how));
 }
 
-FrictionEffort FrictionNewton::solve(ElementOperator& compliance, const FrictionProblem& problem,
+FrictionEffort FrictionNewton::solve(ElementOperator& compliance, const ContactGrid& grid,
+                                     const TangentialProblem& problem,
                                      const std::vector<Index>& places,
                                      const TangentialOptions& options,
                                      const TangentialField& start) {
   compliance_ = &compliance;
+  grid_ = &grid;
   problem_ = &problem;
   places_ = &places;
   options_ = &options;
   r_ = 1.0 / compliance.diagonal();
-  state_.begin(problem, places, r_);
+  state_.begin(grid, problem, places, r_);
   feels_slip_ = state_.feels_slip();
   drag_ = 0.0;
   bound_relaxation_ = 1.0;
@@ -326,7 +297,7 @@ FrictionEffort FrictionNewton::solve(ElementOperator& compliance, const Friction
   } else {
     find_first_point(start);
     if (feels_slip_) first_ = point_->traction;
-    fronts_.begin(problem.grid, places);
+    fronts_.begin(grid, places);
     // Relative to the creepage load, or to the bound if that is smaller, so that a low friction
     // coefficient does not simulate convergence.
     const double scale = std::min(creepage_load, bound_.norm());

@@ -11,31 +11,21 @@
 
 #include <initializer_list>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace rollfem::contact {
-
-/// Why a law may have several or no steady states, and the remedy: for messages.
-struct SteepCause {
-  std::string cause;  ///< without "that ..."
-  std::string cure;
-};
-/// `way`, mm: from element to element, or of a step, in which the law has this steepness; 0:
-/// unknown.
-SteepCause steep_cause(const FrictionLaw& law, double steepness, double way);
 
 class FrictionNewton {
  public:
   /// `places`: grid indices of the elements in contact. `start`: initial tractions, empty for the
   /// projected full-stick solution. Throws SolveError when it does not converge, NoSteadyFriction
   /// when there is no stable solution.
-  FrictionEffort solve(ElementOperator& compliance, const FrictionProblem& problem,
-                       const std::vector<Eigen::Index>& places, const TangentialOptions& options,
-                       const TangentialField& start);
+  FrictionEffort solve(ElementOperator& compliance, const ContactGrid& grid,
+                       const TangentialProblem& problem, const std::vector<Eigen::Index>& places,
+                       const TangentialOptions& options, const TangentialField& start);
 
   /// Derivative of the tractions by the rigid slip, both on the elements in contact, times a change
-  /// of slip. Call it after solve(), with the compliance still alive. False if the linear system
+  /// of slip. Call it after solve(), with its arguments still alive. False if the linear system
   /// does not converge.
   bool respond(const Eigen::Ref<const Eigen::VectorXd>& slip_change,
                Eigen::Ref<Eigen::VectorXd> change);
@@ -102,7 +92,8 @@ class FrictionNewton {
   static constexpr int krylov_restart = 80;
 
   ElementOperator* compliance_ = nullptr;
-  const FrictionProblem* problem_ = nullptr;
+  const ContactGrid* grid_ = nullptr;
+  const TangentialProblem* problem_ = nullptr;
   const std::vector<Index>* places_ = nullptr;
   const TangentialOptions* options_ = nullptr;
   double r_ = 1.0;

@@ -3,6 +3,8 @@
 
 #include "contact/iteration/leading_edge.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,22 +43,24 @@ PlasticDisplacement yielding(const Plasticity& layer, const YieldStep& step) {
           1.0 + by_part * part_by_stress * layer.hardening};
 }
 
-void FrictionState::begin(const FrictionProblem& problem, const std::vector<Index>& places,
-                          double r) {
+void FrictionState::begin(const ContactGrid& grid, const TangentialProblem& problem,
+                          const std::vector<Index>& places, double r) {
+  static const CoulombFriction none(0.0);
+  grid_ = &grid;
   problem_ = &problem;
+  law_ = problem.friction ? problem.friction.get() : &none;
   r_ = r;
   places_ = &places;
   count_ = static_cast<Index>(places.size());
   rows_.clear();
-  if (problem.law.varies())
-    for (int j = 0; j < problem.grid.ny; ++j)
-      rows_.push_back(problem.law.of_row(problem.grid.y(j)));
-  rest_.setConstant(count_, problem.law.coefficient());
+  if (law_->varies())
+    for (int j = 0; j < grid.ny; ++j) rows_.push_back(law_->of_row(grid.y(j)));
+  rest_.setConstant(count_, law_->coefficient());
   if (!rows_.empty())
     for (Index e = 0; e < count_; ++e) rest_[e] = law(e).coefficient();
-  plasticity_ = problem.law.plasticity;
+  plasticity_ = law_->plasticity;
   if (!feels_slip()) return;
-  memory_ = problem.law.memory();
+  memory_ = law_->memory();
   for (Eigen::VectorXd* values : {&coefficient_, &by_own_, &by_ahead_, &carried_})
     values->resize(count_);
   direction_.resize(2 * count_);
@@ -66,7 +70,7 @@ void FrictionState::begin(const FrictionProblem& problem, const std::vector<Inde
 }
 
 void FrictionState::find_ways() {
-  const ContactGrid& grid = problem_->grid;
+  const ContactGrid& grid = *grid_;
   ways_.resize(count_);
   leads_.assign(static_cast<std::size_t>(count_), 1);
   if (problem_->motion.past) {
@@ -104,9 +108,40 @@ double steepness(const FrictionLaw& law, double pressure, double compliance, dou
   return steepest_fall(law, way, law.memory()) * pressure * compliance;
 }
 
+namespace {
+
+/// The memory distance, mm, with which the law is no longer steep.
+double sufficient_memory(const FrictionLaw& law, double steepness, double way) {
+  const double wanted = steep * steepest_fall(law, way, law.memory()) / steepness;
+  const double least_slip = law.memory() ? law.memory()->least_slip : 0.0;
+  double lower = 1e-9, upper = 1e3;
+  while (upper > 1.01 * lower) {
+    const double middle = std::sqrt(lower * upper);
+    const bool enough = steepest_fall(law, way, FrictionMemory{middle, least_slip}) < wanted;
+    (enough ? upper : lower) = middle;
+  }
+  return upper;
+}
+
+}  // namespace
+
+SteepCause steep_cause(const FrictionLaw& law, double steepness, double way) {
+  SteepCause words{"friction falls so steeply with the slip velocity",
+                   "give friction.memory_distance, or a larger one, or a larger half_velocity"};
+  if (law.feels_slip() && way > 0.0 && steepness > steep)
+    words.cure = fmt::format(
+        "give friction.memory_distance (one state from about {:.2g} mm), or a larger half_velocity",
+        sufficient_memory(law, steepness, way));
+  if (!law.plasticity || law.plasticity->hardening >= 0.0) return words;
+  const std::string cure = "give a layer.hardening nearer to 0";
+  if (!law.feels_slip()) return {"the layer softens so fast", cure};
+  return {"friction falls with the slip velocity and the layer softens so fast",
+          cure + ", or " + words.cure};
+}
+
 double FrictionState::steepness(double compliance) const {
   const bool steps = problem_->motion.past.has_value();
-  const double way = steps ? problem_->motion.past->length : problem_->grid.dx;
+  const double way = steps ? problem_->motion.past->length : grid_->dx;
   double largest = 0.0;
   for (Index e = 0; e < count_; ++e)
     if (e == 0 || &law(e) != &law(e - 1))

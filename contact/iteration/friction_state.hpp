@@ -11,6 +11,7 @@
 #include "scene/friction_law.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace rollfem::contact {
@@ -28,7 +29,8 @@ enum class Motion {
   shift,    ///< slip w = s + u in mm: a step of a shift or of transient rolling
 };
 
-/// Motion of the surfaces in steady rolling or in one step of a history.
+/// Motion of the surfaces in steady rolling or in one step of a history: from the load point
+/// (PointMotion) down to Newton's method.
 struct TangentialMotion {
   TangentialField rigid_slip;  ///< s, no unit in steady rolling, mm for Motion::shift
   Motion motion = Motion::rolling;
@@ -40,11 +42,10 @@ struct TangentialMotion {
 };
 
 /// The problem of friction on a known pressure (tangential.hpp).
-struct FrictionProblem {
-  const ContactGrid& grid;
-  const Field& pressure;
-  const TangentialMotion& motion;
-  const FrictionLaw& law;
+struct TangentialProblem {
+  Field pressure;           ///< p_n >= 0, MPa; 0 outside the contact area
+  TangentialMotion motion;  ///< with any defect of the compliance added to the rigid slip
+  Friction friction;        ///< null: frictionless; no default, so that it is never forgotten
 };
 
 /// Largest fall of mu with |w| in an element that the material crosses in `way`, mm: friction with
@@ -56,6 +57,18 @@ double steepest_fall(const FrictionLaw& law, double way,
 /// pressure gains through falling friction to the slip that makes friction fall; `way`: as in
 /// FrictionMemory. Above 1 the element may have several states.
 double steepness(const FrictionLaw& law, double pressure, double compliance, double way);
+
+/// From this steepness on there may be several solutions.
+inline constexpr double steep = 0.5;
+
+/// Why a law may have several or no steady states, and the remedy: for messages.
+struct SteepCause {
+  std::string cause;  ///< without "that ..."
+  std::string cure;
+};
+/// `way`, mm: from element to element, or of a step, in which the law has this steepness; 0:
+/// unknown.
+SteepCause steep_cause(const FrictionLaw& law, double steepness, double way);
 
 // How a layer between the bodies yields (Plasticity) while a particle moves from one contact
 // element to the next, or in a step of a history: the plastic displacement u* that it has gathered.
@@ -89,12 +102,12 @@ class FrictionState {
   using Given = Eigen::Ref<const Eigen::VectorXd>;
   using Vector = Eigen::Ref<Eigen::VectorXd>;
 
-  /// `places`: grid indices of the elements in contact, ascending. The problem and they must
-  /// outlive the state. `r`: of q = p - r w below; 0: bounds follow the slip alone.
-  void begin(const FrictionProblem& problem, const std::vector<Eigen::Index>& places,
-             double r = 0.0);
+  /// `places`: grid indices of the elements in contact, ascending. All arguments must outlive the
+  /// state. `r`: of q = p - r w below; 0: bounds follow the slip alone.
+  void begin(const ContactGrid& grid, const TangentialProblem& problem,
+             const std::vector<Eigen::Index>& places, double r = 0.0);
 
-  bool feels_slip() const { return problem_->law.feels_slip() || hardens(); }
+  bool feels_slip() const { return law_->feels_slip() || hardens(); }
 
   /// Largest steepness over the elements; `compliance`: slip of the problem per own traction.
   double steepness(double compliance) const;
@@ -143,9 +156,8 @@ class FrictionState {
   double slip_at(const Given& slip, Index e) const;
   /// The law of the element.
   const FrictionLaw& law(Index e) const {
-    if (rows_.empty()) return problem_->law;
-    return *rows_[static_cast<std::size_t>((*places_)[static_cast<std::size_t>(e)] /
-                                           problem_->grid.nx)];
+    if (rows_.empty()) return *law_;
+    return *rows_[static_cast<std::size_t>((*places_)[static_cast<std::size_t>(e)] / grid_->nx)];
   }
   double friction_at_rest(Index e) const { return rest_[e] * pressure(e); }
   void find_ways();
@@ -158,7 +170,9 @@ class FrictionState {
   Ahead follow_friction(Index e, double size, const Ahead& ahead);
   void follow_yield(Index e, double size, double size_ahead, double trial);
 
-  const FrictionProblem* problem_ = nullptr;
+  const ContactGrid* grid_ = nullptr;
+  const TangentialProblem* problem_ = nullptr;
+  const FrictionLaw* law_ = nullptr;
   const std::vector<Index>* places_ = nullptr;
   Index count_ = 0;
   double r_ = 0.0;

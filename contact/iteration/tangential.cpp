@@ -207,13 +207,10 @@ TangentialSolution solve_tangential(const TangentialOperator& compliance,
   check_problem(compliance, problem);
   GridElements elements(compliance,
                         traction_bound(problem.friction, compliance.grid(), problem.pressure));
-  const CoulombFriction none(0.0);
-  const FrictionLaw& law = problem.friction ? *problem.friction : none;
   FrictionNewton newton;
-  const FrictionProblem on_pressure{compliance.grid(), problem.pressure, problem.motion, law};
   TangentialSolution result;
   static_cast<FrictionEffort&>(result) =
-      newton.solve(elements, on_pressure, elements.places(), options, start);
+      newton.solve(elements, compliance.grid(), problem, elements.places(), options, start);
   result.traction = elements.scattered(newton.traction());
   const TangentialField displacement = compliance.apply(result.traction);
   const TangentialField& rigid_slip = problem.motion.rigid_slip;

@@ -22,12 +22,6 @@ class NoSteadyFriction : public SolveError {
   using SolveError::SolveError;
 };
 
-struct TangentialProblem {
-  Field pressure;           ///< p_n >= 0, MPa; 0 outside the contact area
-  TangentialMotion motion;  ///< with any defect of the compliance added to the rigid slip
-  Friction friction;        ///< null: frictionless; no default, so that it is never forgotten
-};
-
 struct TangentialOptions {
   double tolerance = 1e-6;        ///< relative to the creepage load, never to mu F
   int max_newton_steps = 200;     ///< in total

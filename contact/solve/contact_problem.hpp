@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The complete contact problem on one grid: normal contact, friction, the sharing of the load
 // between pressure and friction where surface or load are tilted, and defect correction where the
-// elasticity differs from its solvable stand-in (unlike materials, finite elements). Successive
-// loads reuse the same operators.
+// elasticity differs from its half-space (unlike materials, finite elements). Successive loads
+// reuse the same operators.
 #pragma once
 
 #include "contact/iteration/leading_edge.hpp"
@@ -18,21 +18,16 @@ struct ContactAccuracy {
   OuterOptions outer{1e-6, 600, 5};
 };
 
-/// The motion at creepages (shifts), which affect only the rigid slip.
-using MotionAt = std::function<TangentialMotion(const Eigen::Vector2d& unknowns)>;
-
 class ContactProblem {
  public:
-  /// `standin` is `whole`, or a half-space without coupling on the same grid as preconditioner.
-  /// Both must outlive this object.
-  ContactProblem(const Compliance& whole, const SolvableCompliance& standin,
+  /// `halfspace`: without coupling, on the same grid; `whole` itself for half-spaces of like
+  /// materials. Both must outlive this object.
+  ContactProblem(const Compliance& whole, const SolvableCompliance& halfspace,
                  ContactConditions conditions);
 
-  const ContactGrid& grid() const { return standin_.grid(); }
-  bool coupled() const { return &whole_ != static_cast<const Compliance*>(&standin_); }
-  const PatchShape& shape() const { return conditions_.shape; }
+  const ContactGrid& grid() const { return halfspace_.grid(); }
 
-  /// The normal problem without friction on the stand-in, cached for the last load. `start`: a
+  /// The normal problem without friction on the half-space, cached for the last load. `start`: a
   /// pressure or empty.
   const NormalSolution& press(const NormalLoad& load, const Field& start = {});
 
@@ -44,8 +39,7 @@ class ContactProblem {
 
   /// The same with a prescribed force: finds ContactState::unknowns. With an expensive elasticity
   /// the search runs within every outer iteration, otherwise around the solutions.
-  ContactState solve_for_force(const NormalLoad& load, const MotionAt& motion,
-                               const PrescribedForce& wanted, const ForceSearch& search,
+  ContactState solve_for_force(const NormalLoad& load, const ForcedMotion& forced,
                                const ContactState& start, const ContactAccuracy& accuracy,
                                const OuterCallback& each_iteration);
 
@@ -58,30 +52,29 @@ class ContactProblem {
   ContactState solve_frictionless(const NormalLoad& load, const ContactAccuracy& accuracy);
 
  private:
-  ContactState solve_problem(const CoupledProblem& problem, const ContactState* start,
+  ContactState solve_problem(const PointProblem& problem, const ContactState* start,
                              const ContactAccuracy& accuracy, const OuterCallback& each_iteration,
-                             const ForcedSlip* forced = nullptr);
-  ContactState solve_uncoupled(const CoupledProblem& problem, const ContactState* start,
+                             const ForcedMotion* forced = nullptr);
+  ContactState solve_uncoupled(const PointProblem& problem, const ContactState* start,
                                const ContactAccuracy& accuracy);
-  ContactState solve_coupled(const CoupledProblem& problem, const ContactState* start,
+  ContactState solve_coupled(const PointProblem& problem, const ContactState* start,
                              const ContactAccuracy& accuracy, const OuterCallback& each_iteration,
-                             const ForcedSlip* forced = nullptr);
-  ContactState frictionless(const CoupledProblem& problem);
+                             const ForcedMotion* forced = nullptr);
+  ContactState frictionless(const PointProblem& problem);
   /// The gap along the normal recomputed with the whole elasticity, independent of the solver: from
   /// the undeformed distance, the displacement under all tractions and the approach.
-  static void set_gap(const CoupledProblem& problem, ContactState& state);
-  CoupledProblem problem_of(const NormalLoad& load, const TangentialMotion& motion = {}) const {
-    return {conditions_, load, motion, vertical_frame(conditions_.shape, load.direction)};
-  }
+  static void set_gap(const PointProblem& problem, ContactState& state);
   /// Fits second-order rolling to the leading edge of this pressure if the conditions request it.
   const TangentialOperator& tangential_operator(Motion motion, const Field& pressure);
   bool fitted(Motion motion) const;
-  /// The stand-in has the normal block of the whole elasticity, as for unlike half-spaces.
-  bool same_normal_block() const { return !coupled() || &whole_ == conditions_.coupled_standin; }
+  /// Half-spaces of like materials: pressure and friction are solved one after the other.
+  bool is_uncoupled() const { return &whole_ == static_cast<const Compliance*>(&halfspace_); }
+  /// Half-spaces, like or unlike: the pressure without friction is that of the uncoupled one.
+  bool is_halfspace() const { return is_uncoupled() || &whole_ == conditions_.coupled_halfspace; }
   Preconditioner preconditioner(Motion motion, const Field& pressure);
 
   const Compliance& whole_;
-  const SolvableCompliance& standin_;
+  const SolvableCompliance& halfspace_;
   ContactConditions conditions_;
   NormalLoad pressed_load_;
   NormalSolution pressed_;

@@ -3,11 +3,12 @@
 
 #include "base/errors.hpp"
 #include "base/progress.hpp"
-#include "contact/iteration/friction_newton.hpp"
+#include "contact/iteration/friction_state.hpp"
 #include "contact/iteration/interpolation.hpp"
 #include "contact/solve/state_record.hpp"
 #include "result/derived.hpp"
 #include "result/free_ends.hpp"
+#include "result/quantities.hpp"
 #include "result/validity.hpp"
 
 #include <fmt/format.h>
@@ -117,23 +118,23 @@ void ContactRun::solve_without_friction(const ContactGrid& grid, const MakeElast
 }
 
 bool ContactRun::go_on(const std::function<std::optional<std::size_t>()>& next) {
-  bool taking_up = store_ != nullptr;
+  bool restoring = store_ != nullptr;
   while (const std::optional<std::size_t> k = next())
-    if (!solve_or_take_up(*k, taking_up)) return false;
+    if (!solve_or_restore(*k, restoring)) return false;
   return true;
 }
 
-/// `taking_up`: as far as load points depend on each other, those behind one that is not found are
+/// `restoring`: where load points start from each other, all behind one that is not stored are
 /// solved.
-bool ContactRun::solve_or_take_up(std::size_t k, bool& taking_up) {
+bool ContactRun::solve_or_restore(std::size_t k, bool& restoring) {
   // Also at restored load points, so that numbers stay the same to the last bit.
   if (elasticity_->is_halfspace()) {
     if (k > 0 && !press(k)) return false;
     if (k == 0) warn_if_steep();
   }
   const bool alone = options_.independent && !scene_.is_history() && store_ != nullptr;
-  const bool taken = (taking_up || alone) && take_up(k);
-  taking_up = taking_up && taken;
+  const bool taken = (restoring || alone) && restore(k);
+  restoring = restoring && taken;
   if (!taken) {
     try {
       if (!problem_) prepare();
@@ -164,8 +165,8 @@ void ContactRun::prepare() {
   conditions.upwind_order = scene_.upwind_order;
   conditions.shape = shape_;
   conditions.fit_leading_edge = scene_.leading_edge == LeadingEdge::fitted;
-  conditions.coupled_standin = elasticity_->coupled_standin();
-  problem_.emplace(elasticity_->compliance(), elasticity_->standin(), std::move(conditions));
+  conditions.coupled_halfspace = elasticity_->coupled_halfspace();
+  problem_.emplace(elasticity_->compliance(), elasticity_->halfspace(), std::move(conditions));
   motion_->set_extra(elasticity_->extra_slip());
   result_.setup_seconds += setup.seconds();
   if (!elasticity_->is_halfspace() && result_.points.empty()) find_first_defect();
@@ -294,20 +295,21 @@ Vector2d ContactRun::find_force(std::size_t k) {
   refuse_force_beyond_friction(
       wanted, mean_coefficient(friction_, result_.grid, pressed.pressure) * pressed.normal_force);
   refuse_force_beyond_yielding(wanted, *friction_, pressed.pressure, result_.grid.element_area());
-  state_ = problem_->solve_for_force(
-      scene_.points[k].load, [&](const Vector2d& unknowns) { return motion_->at(k, unknowns); },
-      wanted, search_for(k), start_for(k), options_.force_accuracy, each_iteration(k));
+  const ForcedMotion forced{[&](const Vector2d& unknowns) { return motion_->at(k, unknowns); },
+                            wanted, search_for(k)};
+  state_ = problem_->solve_for_force(scene_.points[k].load, forced, start_for(k),
+                                     options_.force_accuracy, each_iteration(k));
   return state_.unknowns;
 }
 
 /// A load point solved by an earlier run, with the state from which the next one starts.
-bool ContactRun::take_up(std::size_t k) {
+bool ContactRun::restore(std::size_t k) {
   PointResult point;
   std::string memory;
   if (!store_->find(k, result_.grid, point, state_, memory)) return false;
   remember(k);
-  motion_->take_up(point);
-  elasticity_->take_up(memory);
+  motion_->restore(point);
+  elasticity_->restore(memory);
   result_.pressure = state_.normal.pressure;
   result_.contact_elements = state_.normal.contact_elements;
   ProgressEvent event = event_of(k);
@@ -389,6 +391,56 @@ void ContactRun::add_energies(TangentialField rigid_slip, PointResult& point) co
   }
   set_works(result_.grid, shape_, rigid_slip, geometry_.extra_slip(point.creepage, result_.grid),
             elasticity_->is_halfspace(), point);
+}
+
+// Where friction falls so steeply that load points have several states or none.
+
+void warn_of_steep_friction(const LevelResult& level, const Friction& friction,
+                            std::vector<Note>& notes) {
+  if (level.steepness <= 1.0 && level.several == 0) return;
+  const std::string found = level.several == 0
+                                ? std::string("several states are possible")
+                                : fmt::format("there are several states at {} of {} load points",
+                                              level.several, level.points.size());
+  const bool steps = !level.points.empty() && level.points.front().step > 0;
+  const SteepCause steep = steep_cause(*friction, level.steepness, steps ? 0.0 : level.grid.dx);
+  add_warning(
+      notes, "steep_friction",
+      "{} ({:.2g} times what one element withstands) that {}, which depend on the grid: "
+      "the result is the one chosen by friction.branch; for one alone: {} (docs/friction.md)",
+      steep.cause, level.steepness, found, steep.cure);
+}
+
+/// Before load points are solved that may take minutes each.
+void ContactRun::warn_if_steep() const {
+  if (!friction_ || !friction_->feels_slip() || scene_.problem != Problem::steady) return;
+  const double way = result_.grid.dx;
+  const double gain =
+      steepness(*friction_, result_.pressure.maxCoeff(),
+                elasticity_->halfspace().rolling(scene_.upwind_order).diagonal(), way);
+  if (gain <= 1.0) return;
+  const SteepCause steep = steep_cause(*friction_, gain, way);
+  ProgressEvent event;
+  event.note = fmt::format(
+      "{} ({:.2g} times what one element withstands) that there may be several states or "
+      "none, and a load point may take minutes; do: {}",
+      steep.cause, gain, steep.cure);
+  event.warns = true;
+  tell(event, "friction", true);
+}
+
+/// False if no load point is left that has a solution.
+bool ContactRun::leave_unsolved(std::size_t k, const NoSteadyFriction& error) {
+  result_.unsolved.emplace(k, error.what());
+  if (!options_.leaves_unsolved || scene_.is_history() ||
+      result_.unsolved.size() == scene_.points.size())
+    return false;
+  PointResult point;
+  motion_->describe(k, motion_->given_unknowns(k), point);
+  leave_empty(point);
+  result_.points.push_back(std::move(point));
+  result_.relative_traction.emplace_back();
+  return true;
 }
 
 }  // namespace rollfem::contact

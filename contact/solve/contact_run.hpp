@@ -25,17 +25,18 @@ namespace rollfem::contact {
 class Elasticity {
  public:
   virtual ~Elasticity() = default;
-  /// Cheap, as half-spaces are, also unlike ones: the pressure without friction, by the stand-in
-  /// alone, is found before every load point and locates the leading edge.
+  /// Half-spaces, like or unlike, are cheap: the pressure without friction is found before every
+  /// load point and locates the leading edge.
   virtual bool is_halfspace() const { return false; }
   /// Expensive preparation (meshes and solvers) before the members below are called. Skipped by a
   /// run that restores all its load points.
   virtual void prepare() {}
   virtual const Compliance& compliance() const = 0;
-  /// The same object, or the half-space that preconditions it.
-  virtual const SolvableCompliance& standin() const = 0;
-  /// The stand-in with the coupling of unlike materials (ContactConditions); null: none.
-  virtual const Compliance* coupled_standin() const { return nullptr; }
+  /// The half-space without coupling on the same grid, which preconditions it; the same object for
+  /// half-spaces of like materials.
+  virtual const SolvableCompliance& halfspace() const = 0;
+  /// The half-space with the coupling of unlike materials; null: like materials.
+  virtual const Compliance* coupled_halfspace() const { return nullptr; }
   /// Distance (mm) and slip caused by this elasticity without contact loads, as by the spinning of
   /// a wheel; may be empty.
   virtual Field extra_distance() const { return {}; }
@@ -49,8 +50,8 @@ class Elasticity {
   virtual void complete(std::size_t, PointResult&) {}
   /// What the next load point needs of the completed one beside its state, for checkpoints.
   virtual std::string memory() const { return {}; }
-  /// Goes on from the memory that an earlier run has kept; may be called before prepare().
-  virtual void take_up(const std::string& /*memory*/) {}
+  /// Continues from the memory stored by an earlier run; may be called before prepare().
+  virtual void restore(const std::string& /*memory*/) {}
 };
 
 /// State that a finer level takes over from a coarser one besides its results: p_t over g at rest,
@@ -128,10 +129,10 @@ class ContactRun {
  private:
   void tell(ProgressEvent event, const char* stage, bool finished) const;
   void prepare();
-  bool take_up(std::size_t k);
+  bool restore(std::size_t k);
   void find_first_defect();
   bool press(std::size_t k);
-  bool solve_or_take_up(std::size_t k, bool& taking_up);
+  bool solve_or_restore(std::size_t k, bool& restoring);
   void warn_if_steep() const;
   void solve_point(std::size_t k);
   bool leave_unsolved(std::size_t k, const NoSteadyFriction& error);

@@ -3,7 +3,7 @@
 
 #include "base/errors.hpp"
 #include "contact/iteration/anderson.hpp"
-#include "contact/iteration/friction_newton.hpp"
+#include "contact/iteration/friction_state.hpp"
 #include "contact/iteration/leading_edge.hpp"
 #include "result/patch_size.hpp"
 
@@ -83,7 +83,7 @@ SurfaceField tractions(const ContactState& solution) {
 /// Distance of the defect from its image over the contact area: the normal part relative to the
 /// elastic displacement (less its mean, which the approach absorbs at given force), the tangential
 /// part as slip relative to the creepage load.
-double defect_residual(const Preconditioner& preconditioner, const CoupledProblem& problem,
+double defect_residual(const Preconditioner& preconditioner, const PointProblem& problem,
                        const ContactState& solution, const Response& defect, bool to_the_bound) {
   const Field mask = (solution.normal.pressure.array() > 0.0).cast<double>();
   const Response& image = solution.defect;
@@ -92,9 +92,9 @@ double defect_residual(const Preconditioner& preconditioner, const CoupledProble
     const double mean = normal_change.dot(mask) / std::max(1.0, mask.sum());
     normal_change.array() -= mean;
   }
-  double residual = problem.given_pressure.size() != 0
-                        ? 0.0
-                        : rms_over(mask, normal_change) / rms_over(mask, solution.displacement.n);
+  double residual = problem.presses()
+                        ? rms_over(mask, normal_change) / rms_over(mask, solution.displacement.n)
+                        : 0.0;
   if (problem.shares_load())
     residual = std::max(residual,
                         std::abs(force_along_load(preconditioner.whole.grid(), problem, solution) /
@@ -111,7 +111,7 @@ double defect_residual(const Preconditioner& preconditioner, const CoupledProble
   if (to_the_bound)
     load =
         std::min(load, preconditioner.rolling.diagonal() *
-                           rms_over(mask, traction_bound(problem.friction,
+                           rms_over(mask, traction_bound(problem.conditions.friction,
                                                          preconditioner.whole.grid(), pressure)));
   // Differences within the rounding of the displacements count as zero.
   const double unit = preconditioner.motion == Motion::shift ? 1.0 : preconditioner.whole.grid().dx;
@@ -120,18 +120,19 @@ double defect_residual(const Preconditioner& preconditioner, const CoupledProble
   return residual;
 }
 
-/// Solves the stand-in with a fixed defect, for the force if one is prescribed: one creepage after
-/// another, which is cheap compared with the compliance. The next search starts where this one
-/// ends.
-void solve_standin_with(const Preconditioner& preconditioner, const Response& defect,
-                        double tolerance, std::optional<ForcedSlip>& forced,
-                        CoupledProblem& problem, ContactState& solution) {
-  if (!forced) return solve_standin(preconditioner, problem, defect, tolerance, solution);
+/// Solves on the half-space with a fixed defect, for the force if one is prescribed: one creepage
+/// after another, which is cheap compared with the compliance. The next search starts where this
+/// one ends.
+void solve_with_defect(const Preconditioner& preconditioner, const Response& defect,
+                       double tolerance, std::optional<ForcedMotion>& forced, PointProblem& problem,
+                       ContactState& solution) {
+  if (!forced) return solve_on_halfspace(preconditioner, problem, defect, tolerance, solution);
   ForceSearch& search = forced->search;
   const ForceLaw law = [&](const Eigen::Vector2d& unknowns) {
-    problem.motion.rigid_slip = forced->rigid_slip(unknowns);
-    solve_standin(preconditioner, problem, defect, std::min(tolerance, search.tolerance), solution);
-    return transmitted_by(preconditioner.whole.grid(), problem, solution);
+    problem.motion = forced->at(unknowns);
+    solve_on_halfspace(preconditioner, problem, defect, std::min(tolerance, search.tolerance),
+                       solution);
+    return transmitted_by(preconditioner.whole.grid(), problem.conditions, solution);
   };
   solution.unknowns = search.start = find_creepage(law, forced->wanted, search).creepage;
 }
@@ -208,9 +209,9 @@ TransmittedForce transmitted_by(const ContactGrid& grid, const ContactConditions
 }
 
 ContactState solve_coupled(const Compliance& compliance, const Preconditioner& preconditioner,
-                           const CoupledProblem& given, const OuterOptions& options,
+                           const PointProblem& given, const OuterOptions& options,
                            const Response& start_defect, const OuterCallback& each_iteration,
-                           const SurfaceField& start_traction, const ForcedSlip* forced) {
+                           const SurfaceField& start_traction, const ForcedMotion* forced) {
   const Eigen::Index n = preconditioner.whole.grid().size();
   Response defect = start_defect;
   if (defect.displacement.n.size() != n)
@@ -218,8 +219,8 @@ ContactState solve_coupled(const Compliance& compliance, const Preconditioner& p
                                                       preconditioner, start_traction, given.frame)
                                           : zero_response(n);
 
-  CoupledProblem problem = given;
-  std::optional<ForcedSlip> search;
+  PointProblem problem = given;
+  std::optional<ForcedMotion> search;
   if (forced != nullptr) search = *forced;
   OuterSteps steps(options.anderson_depth);
   bool may_restart = start_traction.x.size() == n && start_defect.displacement.n.size() != n;
@@ -227,7 +228,7 @@ ContactState solve_coupled(const Compliance& compliance, const Preconditioner& p
   solution.normal.pressure = start_traction.n;
   solution.tangential.traction = {start_traction.x, start_traction.y};
   for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
-    solve_standin_with(preconditioner, defect, options.tolerance, search, problem, solution);
+    solve_with_defect(preconditioner, defect, options.tolerance, search, problem, solution);
     const SurfaceField traction = tractions(solution);
     const Response response = compliance.respond(traction);
     solution.displacement = response.displacement;
@@ -261,7 +262,7 @@ ContactState solve_coupled(const Compliance& compliance, const Preconditioner& p
                           std::to_string(options.tolerance);
   if (solution.tangential.feedback) {
     const SteepCause steep = steep_cause(
-        *problem.friction, solution.tangential.steepness,
+        *problem.conditions.friction, solution.tangential.steepness,
         problem.motion.past ? problem.motion.past->length : preconditioner.whole.grid().dx);
     throw NoSteadyFriction(
         steep.cause +

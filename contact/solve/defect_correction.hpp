@@ -2,11 +2,11 @@
 // Contact on any compliance A by defect correction on the half-space A_half: solve with A_half, add
 // (A - A_half) p as an extra gap and displacement, repeat with Anderson acceleration. The fixed
 // point is the solution with A; A_half only preconditions. One outer iteration is one A.apply(),
-// also with a prescribed force: the stand-in is solved for that force with the defect held fixed.
+// also with a prescribed force: the half-space is solved for that force with the defect held fixed.
 #pragma once
 
+#include "contact/solve/halfspace_contact.hpp"
 #include "contact/solve/prescribed_force.hpp"
-#include "contact/solve/standin.hpp"
 
 #include <Eigen/Core>
 
@@ -24,11 +24,11 @@ struct OuterOptions {
 };
 
 /// A prescribed tangential force instead of creepages (shifts).
-struct ForcedSlip {
+struct ForcedMotion {
+  /// The motion at creepages (shifts), which affect only the rigid slip.
+  std::function<TangentialMotion(const Eigen::Vector2d& unknowns)> at;
   PrescribedForce wanted;
   ForceSearch search;
-  /// The rigid slip of the problem at creepages (shifts).
-  std::function<TangentialField(const Eigen::Vector2d& unknowns)> rigid_slip;
 };
 
 /// F_x, F_y and mu F_z of a state.
@@ -39,13 +39,13 @@ using OuterCallback = std::function<void(const ContactState&)>;
 
 /// Throws SolveError when the outer iteration does not converge, UnfitGrid when it does not because
 /// the patch reaches the border of the grid. `start_traction` (may be empty): initial pressure and
-/// tangential tractions of the first solution with the stand-in. `forced` (may be null) replaces
-/// the rigid slip of the problem; every iteration then satisfies the force.
+/// tangential tractions of the first solution on the half-space. `forced` (may be null) replaces
+/// the motion of the problem; every iteration then satisfies the force.
 ContactState solve_coupled(const Compliance& compliance, const Preconditioner& preconditioner,
-                           const CoupledProblem& problem, const OuterOptions& options = {},
+                           const PointProblem& problem, const OuterOptions& options = {},
                            const Response& start_defect = {},
                            const OuterCallback& each_iteration = {},
                            const SurfaceField& start_traction = {},
-                           const ForcedSlip* forced = nullptr);
+                           const ForcedMotion* forced = nullptr);
 
 }  // namespace rollfem::contact

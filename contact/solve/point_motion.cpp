@@ -112,7 +112,7 @@ void PointMotion::advance(std::size_t k, const ContactState& state) {
                      friction_ ? friction_after(friction_, grid_, state) : FrictionPast());
 }
 
-void PointMotion::take_up(const PointResult& point) {
+void PointMotion::restore(const PointResult& point) {
   sum_ = {point.longitudinal_shift, point.lateral_shift, point.spin_shift, point.distance};
 }
 

@@ -90,7 +90,7 @@ class PointMotion {
   void advance(std::size_t k, const ContactState& state);
 
   /// Records load point k as restored from an earlier run, which described it.
-  void take_up(const PointResult& point);
+  void restore(const PointResult& point);
 
  private:
   struct Sum {

@@ -118,7 +118,7 @@ class SharedLevel {
   }
   void complete(const FemCompliance& of_point, std::size_t k, PointResult& point);
   std::string memory() const { return yielding_ ? yielding_->memory() : std::string(); }
-  void take_up(const std::string& memory) { last_pass_ = memory; }
+  void restore(const std::string& memory) { last_pass_ = memory; }
   std::size_t most_beside() const;
   /// Adds the displacement by plastic flow to the responses of a compliance.
   void let_yield(FemCompliance& of_point) const {
@@ -170,8 +170,10 @@ class LevelElasticity : public contact::Elasticity {
     level_->let_yield(*own_);
   }
   const contact::Compliance& compliance() const override { return together_; }
-  const contact::SolvableCompliance& standin() const override { return *level_->half; }
-  const contact::Compliance* coupled_standin() const override { return level_->coupled_half.get(); }
+  const contact::SolvableCompliance& halfspace() const override { return *level_->half; }
+  const contact::Compliance* coupled_halfspace() const override {
+    return level_->coupled_half.get();
+  }
   contact::Field extra_distance() const override {
     return level_->expansion ? level_->expansion->distance : contact::Field();
   }
@@ -185,7 +187,7 @@ class LevelElasticity : public contact::Elasticity {
     return halfspace::shift_stiffness(patch, level_->scene.material);
   }
   std::string memory() const override { return level_->memory(); }
-  void take_up(const std::string& memory) override { level_->take_up(memory); }
+  void restore(const std::string& memory) override { level_->restore(memory); }
   void complete(std::size_t k, PointResult& point) override { level_->complete(*own_, k, point); }
 
  private:
@@ -298,7 +300,7 @@ void SharedLevel::make_compliance() {
   if (scene.feels_inertia() && bodies_.wheel) spin_wheel();
   add_notes(scene, geometry_, layout, bodies_, event.note, result_.notes);
   if (!root.here()) return;
-  // The defect includes the coupling of unlike materials; the stand-in need not.
+  // The defect includes the coupling of unlike materials; the half-space need not.
   half = std::make_unique<halfspace::HalfspaceCompliance>(layout.grid, scene.material.uncoupled());
   if (scene.material.couples())
     coupled_half = std::make_unique<halfspace::HalfspaceCompliance>(layout.grid, scene.material);

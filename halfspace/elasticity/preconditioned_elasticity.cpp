@@ -18,17 +18,17 @@ using Eigen::Vector2d;
 PreconditionedElasticity::PreconditionedElasticity(const contact::Scene& scene,
                                                    const contact::ContactGrid& grid,
                                                    std::unique_ptr<const contact::Compliance> whole)
-    : scene_(scene), whole_(std::move(whole)), standin_(grid, scene.material.uncoupled()) {
+    : scene_(scene), whole_(std::move(whole)), halfspace_(grid, scene.material.uncoupled()) {
   if (scene.material.couples())
     coupled_ = std::make_unique<HalfspaceCompliance>(grid, scene.material);
 }
 
 contact::Field PreconditionedElasticity::extra_distance() const {
-  return neighbour_displacement(scene_.neighbour_loads, scene_.material, standin_.grid());
+  return neighbour_displacement(scene_.neighbour_loads, scene_.material, halfspace_.grid());
 }
 
 contact::TangentialField PreconditionedElasticity::extra_slip() const {
-  return neighbour_slip(scene_.neighbour_loads, scene_.material, standin_.grid());
+  return neighbour_slip(scene_.neighbour_loads, scene_.material, halfspace_.grid());
 }
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The elasticity of half-spaces and of bodies close to them: any compliance, with the half-space on
-// the same grid as its stand-in, and the displacement due to other contacts of the wheel.
+// the same grid as its preconditioner, and the displacement due to other contacts of the wheel.
 #pragma once
 
 #include "contact/solve/contact_run.hpp"
@@ -22,10 +22,10 @@ class PreconditionedElasticity : public contact::Elasticity {
 
   bool is_halfspace() const override { return whole_ == nullptr; }
   const contact::Compliance& compliance() const override {
-    return whole_ ? *whole_ : coupled_ ? *coupled_ : standin_;
+    return whole_ ? *whole_ : coupled_ ? *coupled_ : halfspace_;
   }
-  const contact::SolvableCompliance& standin() const override { return standin_; }
-  const contact::Compliance* coupled_standin() const override { return coupled_.get(); }
+  const contact::SolvableCompliance& halfspace() const override { return halfspace_; }
+  const contact::Compliance* coupled_halfspace() const override { return coupled_.get(); }
   contact::Field extra_distance() const override;
   contact::TangentialField extra_slip() const override;
   Eigen::Vector2d rolling_stiffness(const contact::PatchSize& patch) const override;
@@ -34,7 +34,7 @@ class PreconditionedElasticity : public contact::Elasticity {
  private:
   const contact::Scene& scene_;
   std::unique_ptr<const contact::Compliance> whole_;
-  HalfspaceCompliance standin_;
+  HalfspaceCompliance halfspace_;
   std::unique_ptr<HalfspaceCompliance> coupled_;  ///< null: like materials
 };
 

@@ -13,7 +13,7 @@
 
 namespace rollfem::halfspace {
 
-/// The half-space on a grid, with its stand-in for unlike materials.
+/// The half-space on a grid, for unlike materials with the uncoupled one.
 std::unique_ptr<contact::Elasticity> halfspace_elasticity(const contact::Scene& scene,
                                                           const contact::ChartedGeometry& geometry,
                                                           const contact::ContactGrid& grid);

@@ -6,8 +6,8 @@
 #include "base/threads.hpp"
 #include "contact/iteration/bound_constrained_cg.hpp"
 #include "contact/iteration/compliance.hpp"
-#include "contact/solve/load_sharing.hpp"
-#include "contact/solve/standin.hpp"
+#include "contact/solve/halfspace_contact.hpp"
+#include "contact/solve/pressure_share.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/patch/patch_search.hpp"
@@ -160,7 +160,7 @@ class SinkingWheel : public contact::NormalMap {
   /// patches alternate until all agree.
   SharedLoad press(const std::optional<double>& sinking, double vertical_force) {
     contact::BoundConstrainedCg solver;
-    contact::LoadSharing sharing;
+    contact::PressureShare sharing;
     sharing.load = vertical_force;
     sharing.tolerance = settled_to;
     sharing.most_turns = most_turns;

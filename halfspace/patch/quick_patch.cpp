@@ -2,7 +2,7 @@
 #include "halfspace/patch/quick_patch.hpp"
 
 #include "contact/iteration/leading_edge.hpp"
-#include "contact/solve/load_sharing.hpp"
+#include "contact/solve/pressure_share.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 
@@ -43,7 +43,7 @@ QuickPatch::QuickPatch(const InfluenceTables& tables, const contact::CombinedMat
                (tables.nx() - 2 * margin + 3) * (tables.ny() - 2 * margin + 3)) {
   for (auto* list : {&place_, &climb_, &cosine_, &carried_, &of_lateral_})
     list->resize(tables.ny());
-  for (Field* field : {&pressure_, &traction_.x, &traction_.y, &change_.x, &change_.y})
+  for (Field* field : {&problem_.pressure, &traction_.x, &traction_.y, &change_.x, &change_.y})
     field->setZero(tables.nx() * tables.ny());
   loads_.reserve(loads_across * loads_across);
 }
@@ -98,7 +98,7 @@ bool QuickPatch::lay_on_patch() {
   if (!(dx > 0.0 && dy > 0.0)) return false;
   if (!place_grid(dx, dy, patch.x_middle(), patch.y_middle())) return false;
   geometry_->rigid_slip(given_->creepage, grid_, own_slip_);
-  motion_.rigid_slip = own_slip_;
+  problem_.motion.rigid_slip = own_slip_;
   return true;
 }
 
@@ -125,7 +125,7 @@ NormalBlock QuickPatch::block() const {
 }
 
 void QuickPatch::set_forces(const double* forces) {
-  rows(grid_, pressure_) =
+  rows(grid_, problem_.pressure) =
       (rows(grid_, forces).rowwise() / carried_.transpose()) / grid_.element_area();
 }
 
@@ -134,7 +134,7 @@ bool QuickPatch::is_one_region() const {
   int changes = 0;
   bool inside = false;
   for (int j = 0; j < grid_.ny; ++j) {
-    const bool loaded = rows(grid_, pressure_.data()).col(j).maxCoeff() > 0.0;
+    const bool loaded = rows(grid_, problem_.pressure.data()).col(j).maxCoeff() > 0.0;
     if (loaded != inside) ++changes;
     inside = loaded;
   }
@@ -143,14 +143,15 @@ bool QuickPatch::is_one_region() const {
 
 bool QuickPatch::solve_friction(const contact::Friction& friction, bool anew, bool keeps_weights) {
   static const contact::TangentialField none;
-  if (!keeps_weights) contact::set_upwind_weights(grid_, pressure_, runs_, weights_);
-  if (!rolling_.set(table_, pressure_, weights_, layer_ / grid_.dx)) return false;
+  if (!keeps_weights) contact::set_upwind_weights(grid_, problem_.pressure, runs_, weights_);
+  if (!rolling_.set(table_, problem_.pressure, weights_, layer_ / grid_.dx)) return false;
   if (!friction) return true;
   contact::TangentialOptions options;
   options.tolerance = traction_tolerance;
   options.krylov_tolerance = krylov_tolerance;
-  problem_.emplace(contact::FrictionProblem{grid_, pressure_, motion_, *friction});
-  newton_.solve(rolling_, *problem_, rolling_.grid_indices(), options, anew ? none : traction_);
+  problem_.friction = friction;
+  newton_.solve(rolling_, grid_, problem_, rolling_.grid_indices(), options,
+                anew ? none : traction_);
   spread(newton_.traction(), traction_);
   return true;
 }
@@ -191,8 +192,8 @@ bool QuickPatch::respond(SumsByCreepage& by_creepage) {
 
 void QuickPatch::forget_neighbours() {
   distance_ = own_distance_;
-  motion_.rigid_slip.x = own_slip_.x;
-  motion_.rigid_slip.y = own_slip_.y;
+  problem_.motion.rigid_slip.x = own_slip_.x;
+  problem_.motion.rigid_slip.y = own_slip_.y;
 }
 
 /// Lumps the neighbour's tractions into one point load per block of elements. Its pressure
@@ -201,11 +202,11 @@ void QuickPatch::add_neighbour(const QuickPatch& neighbour,
                                const contact::CombinedMaterial& material) {
   const ContactGrid& there = neighbour.grid_;
   constexpr double blocks = loads_across;
-  lump(there, neighbour.pressure_, neighbour.traction_, there.nx / blocks, there.ny / blocks,
-       loads_);
+  lump(there, neighbour.problem_.pressure, neighbour.traction_, there.nx / blocks,
+       there.ny / blocks, loads_);
   for (contact::NeighbourLoad& load : loads_)
     place_beside(given_->place, neighbour.given_->place, load);
-  add_slip(loads_, material, grid_, motion_.rigid_slip);
+  add_slip(loads_, material, grid_, problem_.motion.rigid_slip);
   for (contact::NeighbourLoad& load : loads_) load.normal = 0.0;
   moved_.setZero(grid_.size());
   add_displacement(loads_, material, grid_, moved_);
@@ -218,13 +219,13 @@ double QuickPatch::load_of_friction() const {
 }
 
 void QuickPatch::scale(double factor) {
-  for (Field* field : {&pressure_, &traction_.x, &traction_.y}) *field *= factor;
+  for (Field* field : {&problem_.pressure, &traction_.x, &traction_.y}) *field *= factor;
 }
 
 bool QuickPatch::reaches_only(bool (contact::PatchGeometry::*good)(double) const,
                               double elements) const {
   const contact::PatchGeometry& profiles = *given_->geometry.surface.profiles;
-  const auto loaded = rows(grid_, pressure_.data());
+  const auto loaded = rows(grid_, problem_.pressure.data());
   for (int j = 0; j < grid_.ny; ++j)
     for (const double side : {-elements, elements})
       if (loaded.col(j).maxCoeff() > 0.0 && !(profiles.*good)(place_[j] + side * grid_.dy))
@@ -235,16 +236,16 @@ bool QuickPatch::reaches_only(bool (contact::PatchGeometry::*good)(double) const
 void QuickPatch::finish(const contact::Friction& friction, const double* gap,
                         const double* displacement, double sinking) {
   contact::ContactFields& fields = point_.fields;
-  fields.traction.n = pressure_;
+  fields.traction.n = problem_.pressure;
   fields.traction.x = traction_.x;
   fields.traction.y = traction_.y;
   for (Field* field : {&fields.gap, &fields.displacement.n, &fields.traction_bound})
-    field->setZero(pressure_.size());
+    field->setZero(problem_.pressure.size());
   rows(grid_, fields.gap) = rows(grid_, gap).rowwise() * carried_.transpose();
   rows(grid_, fields.displacement.n) = rows(grid_, displacement).rowwise() * carried_.transpose();
   if (friction)
     for (const Eigen::Index k : rolling_.grid_indices())
-      fields.traction_bound[k] = friction->coefficient() * pressure_[k];
+      fields.traction_bound[k] = friction->coefficient() * problem_.pressure[k];
   const PatchSums sums = this->sums();
   point_.creepage = given_->creepage;
   point_.longitudinal_force = sums[PatchSum::longitudinal];
@@ -255,7 +256,7 @@ void QuickPatch::finish(const contact::Friction& friction, const double* gap,
   point_.creepage_work =  // per mm rolled, N
       -grid_.element_area() * (traction_.x.dot(own_slip_.x) + traction_.y.dot(own_slip_.y));
   point_.approach = sinking - first_sinking();
-  const PeakPressure::Peak peak = peak_.of(*geometry_, grid_, pressure_);
+  const PeakPressure::Peak peak = peak_.of(*geometry_, grid_, problem_.pressure);
   point_.max_pressure = peak.pressure;
   point_.error_estimate["max_pressure"] = peak.bar;
   const PatchSize patch = measure();

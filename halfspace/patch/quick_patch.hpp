@@ -87,14 +87,14 @@ class QuickPatch {
 
   /// Sets the forces of the elements along the load, N.
   void set_forces(const double* forces);
-  bool has_pressure() const { return pressure_.maxCoeff() > 0.0; }
-  bool touches_border() const { return contact::touches_border(grid_, pressure_); }
+  bool has_pressure() const { return problem_.pressure.maxCoeff() > 0.0; }
+  bool touches_border() const { return contact::touches_border(grid_, problem_.pressure); }
   bool is_one_region() const;
   /// Angle between the normals of the first and the last row under pressure, rad.
-  double turn() const { return turn_of(*geometry_, grid_, pressure_); }
+  double turn() const { return turn_of(*geometry_, grid_, problem_.pressure); }
   /// Measures the patch under the present pressure.
   const contact::PatchSize& measure() {
-    return size_ = contact::patch_size(grid_, pressure_, lines_);
+    return size_ = contact::patch_size(grid_, problem_.pressure, lines_);
   }
 
   /// Solves for the tractions under the present pressure, starting from the present tractions or,
@@ -119,10 +119,9 @@ class QuickPatch {
               double sinking);
   const contact::PointResult& point() const { return point_; }
   /// Resultants of the present pressure and tractions.
-  PatchSums sums() const { return sum(&pressure_, traction_); }
+  PatchSums sums() const { return sum(&problem_.pressure, traction_); }
   /// Derivatives of the friction forces by xi, eta and phi at fixed pressure, from the linearised
-  /// friction problem; the friction law must still live. False if its linear systems do not
-  /// converge.
+  /// friction problem. False if its linear systems do not converge.
   bool respond(SumsByCreepage& by_creepage);
 
  private:
@@ -145,14 +144,13 @@ class QuickPatch {
   contact::PatchSize size_;
   contact::PatchLines lines_;
   contact::GridRuns runs_;
-  contact::Field own_distance_, moved_, distance_, pressure_, weights_;
+  contact::Field own_distance_, moved_, distance_, weights_;
   contact::TangentialField own_slip_, traction_, change_;
-  contact::TangentialMotion motion_;
   Eigen::VectorXd slip_change_, traction_change_;  ///< on the elements in contact
   std::vector<contact::NeighbourLoad> loads_;
   contact::PointResult point_;
   PeakPressure peak_;
-  std::optional<contact::FrictionProblem> problem_;  ///< last solved, for the response to it
+  contact::TangentialProblem problem_;
   contact::FrictionNewton newton_;
   FewElementsRolling rolling_;
 };

@@ -2,7 +2,7 @@
 #include "halfspace/patch/quick_wheel.hpp"
 
 #include "base/errors.hpp"
-#include "contact/solve/load_sharing.hpp"
+#include "contact/solve/pressure_share.hpp"
 #include "result/validity.hpp"
 
 #include <algorithm>
@@ -214,7 +214,7 @@ void QuickWheel::solve_in_turn(const QuickLoad& load, double share, int turn) {
 /// where friction changes only the pressures of other contacts, until these settle. `share`:
 /// expected part of the load carried by pressure, updated to the computed part.
 void QuickWheel::share_load(const QuickLoad& load, double& share) {
-  contact::LoadSharing sharing;
+  contact::PressureShare sharing;
   sharing.load = given_sinking_ ? 1.0 : load.force;
   sharing.tolerance = shared_to;
   sharing.most_turns = most_shared_turns;

@@ -5,9 +5,15 @@
 #include "contact/iteration/friction_state.hpp"
 
 #include "support/test.hpp"
+#include <memory>
 #include <numeric>
 
 namespace rollfem::testing {
+
+template <class Law>
+contact::Friction shared(const Law& law) {
+  return std::make_shared<const Law>(law);
+}
 
 /// In contact at x in (0, 1): its pressure rises as p_0 sqrt(1 - x) from the leading edge.
 struct FrictionRow {

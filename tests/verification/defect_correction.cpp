@@ -16,14 +16,13 @@ using rollfem::halfspace::HalfspaceCompliance;
 /// Rolling ball of 6 mm patch radius under 82 kN, braked and sliding sideways with spin.
 struct Ball {
   ContactGrid grid = ContactGrid::centred(28, 26, 0.6, 0.6);
-  CoupledProblem problem;
+  ContactConditions conditions;
+  PointProblem problem{conditions, {82e3, {}}, {slip_of(grid, {1e-3, 5e-4, 1e-4})}};
 
   Ball() {
-    problem.undeformed_distance =
+    conditions.undeformed_distance =
         grid.sample([](double x, double y) { return (x * x + y * y) / 800.0; });
-    problem.load.force = 82e3;
-    problem.friction = coulomb(0.3);
-    problem.motion.rigid_slip = slip_of(grid, {1e-3, 5e-4, 1e-4});
+    conditions.friction = coulomb(0.3);
   }
 };
 

@@ -16,10 +16,10 @@ namespace {
 /// half-space of other constants, as finite elements are.
 class Disguised : public contact::Elasticity {
  public:
-  Disguised(const Scene& scene, const contact::ContactGrid& grid, double standin_scale)
-      : whole_(grid, scene.material), standin_(grid, scaled(scene.material, standin_scale)) {}
+  Disguised(const Scene& scene, const contact::ContactGrid& grid, double scale)
+      : whole_(grid, scene.material), halfspace_(grid, scaled(scene.material, scale)) {}
   const contact::Compliance& compliance() const override { return whole_; }
-  const contact::SolvableCompliance& standin() const override { return standin_; }
+  const contact::SolvableCompliance& halfspace() const override { return halfspace_; }
   Eigen::Vector2d rolling_stiffness(const contact::PatchSize&) const override {
     return Eigen::Vector2d::Constant(2e8);
   }
@@ -35,12 +35,12 @@ class Disguised : public contact::Elasticity {
   }
 
   halfspace::HalfspaceCompliance whole_;
-  halfspace::HalfspaceCompliance standin_;
+  halfspace::HalfspaceCompliance halfspace_;
 };
 
-/// `standin`: constants of the half-space that preconditions over the true ones; 0: the half-space
+/// `scale`: constants of the half-space that preconditions over the true ones; 0: the half-space
 /// is solved with directly.
-contact::LevelResult run(const Scene& scene, const contact::ContactGrid& grid, double standin) {
+contact::LevelResult run(const Scene& scene, const contact::ContactGrid& grid, double scale) {
   const contact::ChartedGeometry geometry = halfspace::halfspace_geometry(scene);
   contact::RunOptions options;
   options.accuracy = {1e-9, 1e-8, 100, 5};
@@ -49,22 +49,22 @@ contact::LevelResult run(const Scene& scene, const contact::ContactGrid& grid, d
   const contact::Progress silent;
   contact::ContactRun run(scene, geometry, options, silent, nullptr);
   const bool inside = run.solve(grid, [&]() -> std::unique_ptr<contact::Elasticity> {
-    if (standin > 0.0) return std::make_unique<Disguised>(scene, grid, standin);
+    if (scale > 0.0) return std::make_unique<Disguised>(scene, grid, scale);
     return halfspace::halfspace_elasticity(scene, geometry, grid);
   });
   EXPECT_TRUE(inside);
   return run.take_result();
 }
 
-/// With the half-space itself as its stand-in to rounding; with another one to the tolerance of the
-/// outer iteration: the fit to the leading edge is that of the whole displacement.
+/// With the half-space itself as its preconditioner to rounding; with another one to the tolerance
+/// of the outer iteration: the fit to the leading edge is that of the whole displacement.
 void expect_alike(const Case& input) {
   const Scene scene(input);
-  for (const auto& [standin, tolerance] : {std::pair{1.0, 1e-7}, {1.1, 1e-6}}) {
-    SCOPED_TRACE(standin);
+  for (const auto& [scale, tolerance] : {std::pair{1.0, 1e-7}, {1.1, 1e-6}}) {
+    SCOPED_TRACE(scale);
     const contact::ContactGrid grid = halfspace::PatchSearch(scene).grid();
     const auto plain = run(scene, grid, 0.0).points;
-    const auto other = run(scene, grid, standin).points;
+    const auto other = run(scene, grid, scale).points;
     ASSERT_EQ(plain.size(), other.size());
     for (std::size_t k = 0; k < plain.size(); ++k) {
       SCOPED_TRACE(k);

@@ -33,7 +33,7 @@ class Rollers {
     contact::ContactConditions conditions;
     conditions.friction = law_;
     conditions.upwind_order = contact::UpwindOrder::first;
-    conditions.coupled_standin = corrected ? &same_ : nullptr;
+    conditions.coupled_halfspace = corrected ? &same_ : nullptr;
     conditions.undeformed_distance =
         grid_.sample([](double x, double) { return x * x / (2.0 * 460.0); });
     problem_ = std::make_unique<contact::ContactProblem>(corrected ? same_ : whole_, whole_,

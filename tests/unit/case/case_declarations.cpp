@@ -59,7 +59,7 @@ TEST(CaseDeclarations, AllowedValuesFillTheMember) {
 
 /// [placement] and [wheelset] say the same of a wheel in two ways.
 TEST(CaseDeclarations, EachKeyHasAMemberOfItsOwn) {
-  const Case initial = default_case();
+  const Case initial;
   for (const Section& section : case_sections())
     for (const Key& key : section) {
       Case input = initial;

@@ -50,8 +50,8 @@ double worst_error(int elements) {
   const FrictionRow row(elements);
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   FrictionState state;
-  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
-  state.begin(problem, row.places);
+  const TangentialProblem problem{row.pressure, row.still, shared(law)};
+  state.begin(row.grid, problem, row.places);
   const VectorXd mu = coefficient(row, state, row.slip(smooth_slip));
   double worst = 0.0;
   for (Eigen::Index e = 0; e < mu.size(); ++e) {
@@ -73,8 +73,8 @@ TEST(FrictionState, ConstantSlipDecaysExponentially) {
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   FrictionState state;
   const TangentialMotion motion = row.motion(2.0);  // the law's slip is twice
-  const FrictionProblem problem{row.grid, row.pressure, motion, law};
-  state.begin(problem, row.places);
+  const TangentialProblem problem{row.pressure, motion, shared(law)};
+  state.begin(row.grid, problem, row.places);
   for (const double w : {2e-4, 3e-3, 0.5}) {
     const VectorXd mu = coefficient(row, state, row.slip([&](double) { return 0.5 * w; }));
     for (Eigen::Index e = 0; e < mu.size(); ++e) {
@@ -90,8 +90,8 @@ TEST(FrictionState, AVanishingMemoryHasNoEffect) {
   const FrictionRow row(20);
   const FallingFriction law = law_with(FrictionMemory{1e-12, s_0});
   FrictionState state;
-  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
-  state.begin(problem, row.places);
+  const TangentialProblem problem{row.pressure, row.still, shared(law)};
+  state.begin(row.grid, problem, row.places);
   const VectorXd mu = coefficient(row, state, row.slip(smooth_slip));
   for (Eigen::Index e = 0; e < mu.size(); ++e) {
     const double x = row.x(e);
@@ -105,17 +105,17 @@ TEST(FrictionState, AGapInTheRowBringsFrictionBackToThatAtRest) {
   row.places.erase(row.places.begin() + 7);
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   FrictionState state;
-  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
-  state.begin(problem, row.places);
+  const TangentialProblem problem{row.pressure, row.still, shared(law)};
+  state.begin(row.grid, problem, row.places);
   const VectorXd mu = coefficient(row, state, row.slip([](double) { return 0.02; }));
   EXPECT_LT(mu[7], 0.2);   // behind the first half of the row
   EXPECT_GT(mu[6], 0.25);  // the first behind the gap
 }
 
 /// Change of g by differences and as Newton's method has it.
-void expect_derivative(const FrictionProblem& problem, const FrictionRow& row) {
+void expect_derivative(const TangentialProblem& problem, const FrictionRow& row) {
   FrictionState state;
-  state.begin(problem, row.places);
+  state.begin(row.grid, problem, row.places);
   const VectorXd slip = row.slip(smooth_slip);
   const Eigen::Index count = slip.size() / 2;
   VectorXd change(slip.size());
@@ -132,10 +132,10 @@ void expect_derivative(const FrictionProblem& problem, const FrictionRow& row) {
 TEST(FrictionState, DerivativesAreThoseOfTheBounds) {
   const FrictionRow row(20);
   const FallingFriction at_once = law_with({}), slow = law_with(FrictionMemory{d_c, s_0});
-  expect_derivative({row.grid, row.pressure, row.motion(0.5), at_once}, row);
-  expect_derivative({row.grid, row.pressure, row.motion(0.5), slow}, row);
+  expect_derivative({row.pressure, row.motion(0.5), shared(at_once)}, row);
+  expect_derivative({row.pressure, row.motion(0.5), shared(slow)}, row);
   const FrictionPast past{Field::LinSpaced(row.grid.nx, 0.2, 0.4), 0.3};
-  expect_derivative({row.grid, row.pressure, row.motion(0.5, past), slow}, row);
+  expect_derivative({row.pressure, row.motion(0.5, past), shared(slow)}, row);
 }
 
 TEST(FrictionState, AStepOfAHistoryRemembersItsParticle) {
@@ -144,8 +144,8 @@ TEST(FrictionState, AStepOfAHistoryRemembersItsParticle) {
   const FrictionPast past{Field::LinSpaced(row.grid.nx, 0.2, 0.4), 0.3};
   FrictionState state;
   const TangentialMotion motion = row.motion(1.0, past);
-  const FrictionProblem problem{row.grid, row.pressure, motion, law};
-  state.begin(problem, row.places);
+  const TangentialProblem problem{row.pressure, motion, shared(law)};
+  state.begin(row.grid, problem, row.places);
   const double w = 6e-3;
   const VectorXd mu = coefficient(row, state, row.slip([&](double) { return w; }));
   for (Eigen::Index e = 0; e < mu.size(); ++e) {

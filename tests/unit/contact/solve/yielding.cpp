@@ -27,9 +27,9 @@ double growing_slip(double x) {
 double worst_of_bounds(int elements, double hardening) {
   const FrictionRow row(elements, highest);
   const CoulombFriction law = yielding_at(200.0, hardening);
-  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
+  const TangentialProblem problem{row.pressure, row.still, shared(law)};
   FrictionState state;
-  state.begin(problem, row.places);
+  state.begin(row.grid, problem, row.places);
   const VectorXd bound = row.bound(state, row.slip(growing_slip));
   const auto slipped = [](double d) { return 0.01 * d * d + 0.01 / 3.0 * d * d * d; };
   double worst = 0.0;
@@ -57,9 +57,9 @@ TEST(Yielding, ConstantSlipGathersFromWhereFrictionReachesTheYieldStress) {
   const FrictionRow row(25, highest);
   const CoulombFriction law = yielding_at(100.0, 2000.0);  // reached at 1 - x = 0.04
   const TangentialMotion motion = row.motion(2.0);         // law's slip is twice
-  const FrictionProblem problem{row.grid, row.pressure, motion, law};
+  const TangentialProblem problem{row.pressure, motion, shared(law)};
   FrictionState state;
-  state.begin(problem, row.places);
+  state.begin(row.grid, problem, row.places);
   const VectorXd bound = row.bound(state, row.slip([](double) { return 0.01; }));
   for (Eigen::Index e = 0; e < row.count() - 1; ++e) {
     EXPECT_TRUE(state.yields(e));
@@ -72,9 +72,9 @@ TEST(Yielding, FrictionTakesOverFromALayerThatHardens) {
   FrictionRow row(25, highest);
   row.pressure = (row.pressure.array() > 0.0).select(400.0, row.pressure).eval();
   const CoulombFriction law = yielding_at(100.0, 2000.0);
-  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
+  const TangentialProblem problem{row.pressure, row.still, shared(law)};
   FrictionState state;
-  state.begin(problem, row.places);
+  state.begin(row.grid, problem, row.places);
   const VectorXd bound = row.bound(state, row.slip([](double) { return 0.1; }));
   for (Eigen::Index e = 0; e < row.count(); ++e) {
     const double stress = 100.0 + 2000.0 * 0.1 * (1.0 - row.x(e));
@@ -92,9 +92,9 @@ TEST(Yielding, AStepOfAHistoryAddsToWhatTheParticleHas) {
   const CoulombFriction law = yielding_at(50.0, -300.0);
   const FrictionPast past{Field(), 0.2, Field::LinSpaced(row.grid.nx, 0.0, 0.1)};
   const TangentialMotion motion = row.motion(1.0, past);
-  const FrictionProblem problem{row.grid, row.pressure, motion, law};
+  const TangentialProblem problem{row.pressure, motion, shared(law)};
   FrictionState state;
-  state.begin(problem, row.places);
+  state.begin(row.grid, problem, row.places);
   VectorXd rest(row.count());
   state.set_rest(rest);
   const VectorXd bound = row.bound(state, row.slip([](double) { return 0.3; }));
@@ -111,9 +111,9 @@ TEST(Yielding, AStepOfAHistoryAddsToWhatTheParticleHas) {
 TEST(Yielding, PerfectPlasticityBoundsWithoutSlip) {
   const FrictionRow row(25, highest);
   const CoulombFriction law = yielding_at(100.0, 0.0);
-  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
+  const TangentialProblem problem{row.pressure, row.still, shared(law)};
   FrictionState state;
-  state.begin(problem, row.places);
+  state.begin(row.grid, problem, row.places);
   EXPECT_FALSE(state.feels_slip());
   VectorXd bound(row.count());
   state.set_rest(bound);
@@ -131,10 +131,10 @@ TEST(Yielding, OwnSlipFromTheTrialTractionIsThatOfASolution) {
   for (const double hardening : {100.0, 1e4, 1e7}) {
     const CoulombFriction law = yielding_at(150.0, hardening);
     const TangentialMotion motion = row.motion(0.5);
-    const FrictionProblem problem{row.grid, row.pressure, motion, law};
+    const TangentialProblem problem{row.pressure, motion, shared(law)};
     FrictionState by_slip, by_trial;
-    by_slip.begin(problem, row.places);
-    by_trial.begin(problem, row.places, r);
+    by_slip.begin(row.grid, problem, row.places);
+    by_trial.begin(row.grid, problem, row.places, r);
     const VectorXd slip = row.slip(growing_slip);
     VectorXd expected(row.count()), bound(row.count()), trial = -slip;
     by_slip.set_bound(slip, slip, expected);
@@ -153,10 +153,10 @@ TEST(Yielding, OwnSlipFromTheTrialTractionIsThatOfASolution) {
 }
 
 /// Change of g by differences and as Newton's method has it.
-void expect_derivative_of_yielding(const FrictionProblem& problem, const FrictionRow& row,
+void expect_derivative_of_yielding(const TangentialProblem& problem, const FrictionRow& row,
                                    double r = 0.0) {
   FrictionState state;
-  state.begin(problem, row.places, r);
+  state.begin(row.grid, problem, row.places, r);
   const VectorXd slip = row.slip(growing_slip);
   const VectorXd trial = row.slip([](double x) { return 150.0 + 300.0 * (1.0 - x); });
   VectorXd change(slip.size()), trial_change(slip.size());
@@ -180,16 +180,16 @@ TEST(Yielding, DerivativesAreThoseOfTheBounds) {
                           Field::LinSpaced(row.grid.nx, 0.0, 0.01)};
   for (const double hardening : {3000.0, 50e3, -3000.0}) {
     const CoulombFriction law = yielding_at(180.0, hardening);
-    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5), law}, row);
-    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5), law}, row, 4e3);
-    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5, past), law}, row, 4e3);
-    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5, past), law}, row);
+    expect_derivative_of_yielding({row.pressure, row.motion(0.5), shared(law)}, row);
+    expect_derivative_of_yielding({row.pressure, row.motion(0.5), shared(law)}, row, 4e3);
+    expect_derivative_of_yielding({row.pressure, row.motion(0.5, past), shared(law)}, row, 4e3);
+    expect_derivative_of_yielding({row.pressure, row.motion(0.5, past), shared(law)}, row);
     FallingFriction falling{
         FallShape::exponential, 0.3, {{{0.2, 0.02}, {}}}, FrictionMemory{2e-3, 1e-3}};
     falling.plasticity = law.plasticity;
-    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5), falling}, row);
-    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5, past), falling}, row);
-    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5), falling}, row, 4e3);
+    expect_derivative_of_yielding({row.pressure, row.motion(0.5), shared(falling)}, row);
+    expect_derivative_of_yielding({row.pressure, row.motion(0.5, past), shared(falling)}, row);
+    expect_derivative_of_yielding({row.pressure, row.motion(0.5), shared(falling)}, row, 4e3);
   }
 }
 
@@ -198,9 +198,9 @@ TEST(Yielding, WhatYieldsDoesNotSlip) {
   const FrictionRow row(25, highest);
   FallingFriction law{FallShape::exponential, 0.3, {{{0.2, 0.02}, {}}}, FrictionMemory{2e-3, 1e-9}};
   law.plasticity = Plasticity{1e-3, 1.0};
-  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
+  const TangentialProblem problem{row.pressure, row.still, shared(law)};
   FrictionState state;
-  state.begin(problem, row.places);
+  state.begin(row.grid, problem, row.places);
   const VectorXd bound = row.bound(state, row.slip([](double) { return 1.0; }));
   for (Eigen::Index e = 0; e < row.count(); ++e) {
     EXPECT_TRUE(state.yields(e));

@@ -100,10 +100,11 @@ void expect_tractions_of_the_halfspace(double layer) {
          {contact::Creepage{2e-4, 0.0, 0.0}, contact::Creepage{0.01, -0.01, 0.0},
           contact::Creepage{0.0, 0.0, 1e-3}, contact::Creepage{-1e-3, 5e-4, 2e-4},
           contact::Creepage{-1e-3, 6e-4, 2e-4}}) {
-      const contact::TangentialMotion motion{contact::uniform_slip(creepage, of.grid)};
-      const auto exact = contact::solve_tangential(rolling, {pressure, motion, law}, options, {});
+      const contact::TangentialProblem problem{
+          pressure, {contact::uniform_slip(creepage, of.grid)}, law};
+      const auto exact = contact::solve_tangential(rolling, problem, options, {});
       const bool anew = creepage.lateral != 6e-4;
-      quick.solve(elements, {of.grid, pressure, motion, *law}, elements.grid_indices(), options,
+      quick.solve(elements, of.grid, problem, elements.grid_indices(), options,
                   anew ? contact::TangentialField() : traction);
       traction = {Field::Zero(n * n), Field::Zero(n * n)};
       for (Eigen::Index e = 0; e < count; ++e) {

@@ -40,19 +40,19 @@ double hertz_force(double rail_radius, double approach) {
 
 }  // namespace
 
-TEST(LoadSharing, OnePatchCarriesAll) {
+TEST(PressureShare, OnePatchCarriesAll) {
   const auto shared = halfspace::share_load({scene(300.0, 0.0, 0.3)}, 50e3);
   ASSERT_EQ(shared.shares.size(), 1u);
   EXPECT_NEAR(shared.shares[0].normal_force * std::cos(0.3), 50e3, 1.0);
 }
 
-TEST(LoadSharing, TwoEqualPatchesShareEqually) {
+TEST(PressureShare, TwoEqualPatchesShareEqually) {
   const auto shared = halfspace::share_load({scene(300.0, 0.0, 0.0), scene(300.0, 0.0, 0.0)}, 60e3);
   EXPECT_NEAR(shared.shares[0].normal_force, 30e3, 1.0);
   EXPECT_DOUBLE_EQ(shared.shares[0].normal_force, shared.shares[1].normal_force);
 }
 
-TEST(LoadSharing, NearMissIsLoadedOnlyBeyondItsSeparation) {
+TEST(PressureShare, NearMissIsLoadedOnlyBeyondItsSeparation) {
   // Sinking of the first patch alone at 50 kN, by Hertz: 0.0666 mm.
   PatchCase alone = thesis_case('b');
   alone.rail.transverse_radius = 300.0;
@@ -68,7 +68,7 @@ TEST(LoadSharing, NearMissIsLoadedOnlyBeyondItsSeparation) {
   EXPECT_NEAR(within.shares[0].normal_force + within.shares[1].normal_force, 50e3, 1.0);
 }
 
-TEST(LoadSharing, UnequalTiltedPatchesFollowHertzsLaw) {
+TEST(PressureShare, UnequalTiltedPatchesFollowHertzsLaw) {
   const double separation = 0.03, angle = 0.5;
   const auto shared =
       halfspace::share_load({scene(300.0, 0.0, 0.02), scene(80.0, separation, angle)}, 80e3);
@@ -81,7 +81,7 @@ TEST(LoadSharing, UnequalTiltedPatchesFollowHertzsLaw) {
               80e3, 3.0);
 }
 
-TEST(LoadSharing, RefusesScenesWithoutPlaceOrLoad) {
+TEST(PressureShare, RefusesScenesWithoutPlaceOrLoad) {
   EXPECT_THROW(halfspace::share_load({thesis_case('b')}, 50e3), contact::InputError);
   EXPECT_THROW(halfspace::share_load({}, 50e3), contact::InputError);
   EXPECT_THROW(halfspace::share_load({scene(300.0, 0.0, 0.0)}, 0.0), contact::InputError);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Solves one contact problem on the stand-in of an elasticity: pressure, then
-// tractions, alternating where both carry the load. The difference between elasticity
-// and stand-in enters as a defect (defect_correction.hpp).
+// Solves one contact problem on the half-space: pressure, then tractions, alternating where both
+// carry the load. The difference between the elasticity and its half-space enters as a defect
+// (defect_correction.hpp).
 #pragma once
 
 #include "contact/iteration/normal.hpp"
@@ -11,10 +11,11 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <utility>
 
 namespace rollfem::contact {
 
-/// The solvable stand-in for A: the half-space on the same grid.
+/// The half-space on the grid of an elasticity A, with the operators that the contact solvers use.
 struct Preconditioner {
   const Compliance& whole;            ///< A_half
   const NormalOperator& normal;       ///< its normal block
@@ -57,24 +58,30 @@ struct ContactConditions {
   /// second order and tractions do not zigzag from row to row. false: the same difference
   /// everywhere.
   bool fit_leading_edge = true;
-  /// The stand-in with the coupling of unlike materials; null: like materials, or the elasticity
-  /// itself.
-  const Compliance* coupled_standin = nullptr;
+  /// The half-space with the coupling of unlike materials; null: like materials.
+  const Compliance* coupled_halfspace = nullptr;
 };
 
-/// The problem of one load point for any compliance. On a curved patch (`shape`) approach and load
-/// refer to the patch frame, while distance, tractions and displacement are along the local normal
-/// and tangents.
-struct CoupledProblem : ContactConditions {
+/// The problem of one load point for any compliance. On a curved patch (PatchShape) approach and
+/// load refer to the patch frame, while distance, tractions and displacement are along the local
+/// normal and tangents.
+struct PointProblem {
+  PointProblem(const ContactConditions& of_all, NormalLoad of_point, TangentialMotion moves = {})
+      : conditions(of_all),
+        load(of_point),
+        motion(std::move(moves)),
+        frame(vertical_frame(of_all.shape, load.direction)) {}
+
+  const ContactConditions& conditions;
   NormalLoad load;
   TangentialMotion motion;  ///< empty rigid slip: frictionless
   VerticalFrame frame;      ///< of the shape and the direction of the load
 
-  bool frictionless() const { return motion.rigid_slip.x.size() == 0 || !friction; }
+  bool presses() const { return conditions.given_pressure.size() == 0; }
+  bool frictionless() const { return motion.rigid_slip.x.size() == 0 || !conditions.friction; }
   /// Whether friction carries a part of the prescribed force.
   bool shares_load() const {
-    return load.force && given_pressure.size() == 0 &&
-           (shape.climb.size() != 0 || load.is_tilted());
+    return load.force && presses() && (conditions.shape.climb.size() != 0 || load.is_tilted());
   }
 };
 
@@ -84,7 +91,7 @@ struct ContactState {
   TangentialSolution tangential;     ///< fields of size 0 while frictionless
   SurfaceField displacement;         ///< wheel minus rail, mm, by all tractions
   TangentialField curvature_slip{};  ///< Response::curvature_slip; empty for straight streamlines
-  Response defect;     ///< difference between the elasticity and the stand-in; may be empty
+  Response defect;     ///< difference between the elasticity and its half-space; may be empty
   int iterations = 0;  ///< Newton steps, or outer iterations
   double residual = 0.0;
   Eigen::Vector2d unknowns = Eigen::Vector2d::Zero();  ///< creepages (shifts) found for a force
@@ -98,29 +105,34 @@ struct ContactState {
 Response zero_response(Eigen::Index size);
 
 /// Slip (displacement in a shift) that a defect of the compliance adds to the rigid slip under this
-/// pressure, by the same difference as the stand-in's, so that the sum is the slip of the whole
+/// pressure, by the same difference as the half-space's, so that the sum is the slip of the whole
 /// compliance.
 TangentialField defect_slip(const Preconditioner& preconditioner, double curvature_weight,
                             const Response& defect, const Field& pressure);
 
+/// Friction under this pressure, with the slip of a defect, which may be null.
+TangentialProblem tangential_problem(const Preconditioner& preconditioner,
+                                     const TangentialMotion& motion, const Friction& friction,
+                                     const Field& pressure, const Response* defect);
+
 /// Force on the wheel along the direction of the load, N.
-double force_along_load(const ContactGrid& grid, const CoupledProblem& problem,
+double force_along_load(const ContactGrid& grid, const PointProblem& problem,
                         const ContactState& solution);
 
 /// Pressure without friction.
-NormalSolution press_standin(const NormalOperator& normal, const CoupledProblem& problem,
-                             const Field& start);
+NormalSolution press_on_halfspace(const NormalOperator& normal, const PointProblem& problem,
+                                  const Field& start);
 
 /// Tractions under the pressure of `solution`; where friction carries a part of the load, both
 /// alternately until the load is met to 1e-10. On entry `solution` holds the pressure of
-/// press_standin and a guess of the tractions.
-void solve_standin(const Preconditioner& preconditioner, const CoupledProblem& problem,
-                   double tolerance, ContactState& solution);
+/// press_on_halfspace and a guess of the tractions.
+void solve_on_halfspace(const Preconditioner& preconditioner, const PointProblem& problem,
+                        double tolerance, ContactState& solution);
 
 /// The same with a defect, starting from the contents of `solution`; `tolerance` is that of the
 /// outer iteration.
-void solve_standin(const Preconditioner& preconditioner, const CoupledProblem& problem,
-                   const Response& defect, double tolerance, ContactState& solution);
+void solve_on_halfspace(const Preconditioner& preconditioner, const PointProblem& problem,
+                        const Response& defect, double tolerance, ContactState& solution);
 
 /// Zero tractions, slipping wherever there is pressure. `slip` may be empty: 0.
 void set_frictionless(const ContactGrid& grid, TangentialSolution& tangential,

@@ -23,7 +23,7 @@ inline double carried_part(const std::array<double, 2>& direction, double climb)
 /// The force that the pressure carries is a fixed point: friction under this pressure leaves a
 /// share of the load to the pressure. Found by the secant method: plain iteration is slow for
 /// slopes near one and diverges for steep ones.
-class LoadSharing {
+class PressureShare {
  public:
   double load = 0.0;       ///< N
   double tolerance = 0.0;  ///< of the share, relative to the load

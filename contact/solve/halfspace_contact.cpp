@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "contact/solve/standin.hpp"
+#include "contact/solve/halfspace_contact.hpp"
 
 #include "contact/iteration/leading_edge.hpp"
-#include "contact/solve/load_sharing.hpp"
+#include "contact/solve/pressure_share.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,14 +41,15 @@ NormalSolution given_normal(const ContactGrid& grid, const Field& pressure) {
   return given;
 }
 
-/// Normal contact on the stand-in. `defect`: an extra gap along the load (along z in the plane),
+/// Normal contact on the half-space. `defect`: an extra gap along the load (along z in the plane),
 /// may be empty; `force`: force that the pressure carries in this direction.
-NormalSolution solve_pressure(const NormalOperator& plane, const CoupledProblem& problem,
+NormalSolution solve_pressure(const NormalOperator& plane, const PointProblem& problem,
                               const Field& defect, const std::optional<double>& force,
                               const NormalOptions& options, const Field& start) {
-  if (problem.given_pressure.size() != 0) return given_normal(plane.grid(), problem.given_pressure);
+  const ContactConditions& conditions = problem.conditions;
+  if (!problem.presses()) return given_normal(plane.grid(), conditions.given_pressure);
   const VerticalFrame& frame = problem.frame;
-  NormalProblem normal{problem.undeformed_distance, force, problem.load.approach};
+  NormalProblem normal{conditions.undeformed_distance, force, problem.load.approach};
   const double along_z = problem.load.direction[1];
   if (!frame.plane()) {
     normal.undeformed_distance = normal.undeformed_distance.cwiseProduct(frame.to_vertical).eval();
@@ -72,19 +73,19 @@ NormalSolution solve_pressure(const NormalOperator& plane, const CoupledProblem&
 }
 
 /// Force carried by the pressure without friction, along the load (along z in the plane).
-double frictionless_share(const CoupledProblem& problem) {
+double frictionless_share(const PointProblem& problem) {
   return *problem.load.force / (problem.frame.plane() ? problem.load.direction[1] : 1.0);
 }
 
 /// The same force that the pressure has to carry if friction stays unchanged.
-double pressure_share(const ContactGrid& grid, const CoupledProblem& problem,
+double pressure_share(const ContactGrid& grid, const PointProblem& problem,
                       const ContactState& solution) {
   const double wanted = *problem.load.force;
   if (solution.normal.pressure.size() != grid.size()) return frictionless_share(problem);
   const Field none = Field::Zero(grid.size());
   const auto [across, upwards] = problem.load.direction;
   const auto pressure =
-      transmitted_force(grid, {none, none, solution.normal.pressure}, problem.shape);
+      transmitted_force(grid, {none, none, solution.normal.pressure}, problem.conditions.shape);
   const double missing = wanted - force_along_load(grid, problem, solution);
   return problem.frame.plane() ? pressure[2] + missing / upwards
                                : across * pressure[1] + upwards * pressure[2] + missing;
@@ -92,24 +93,19 @@ double pressure_share(const ContactGrid& grid, const CoupledProblem& problem,
 
 /// Tractions under the pressure of `solution`; `defect` (may be null) is an extra slip. `weights`:
 /// Preconditioner::fitted_weights.
-void solve_tractions(const Preconditioner& preconditioner, const CoupledProblem& problem,
+void solve_tractions(const Preconditioner& preconditioner, const PointProblem& problem,
                      const Response* defect, double tolerance, const Field& weights,
                      ContactState& solution) {
-  const Field& pressure = solution.normal.pressure;
-  TangentialProblem tangential{pressure, problem.motion, problem.friction};
-  if (defect != nullptr) {
-    const TangentialField slip =
-        defect_slip(preconditioner, problem.motion.curvature_weight, *defect, pressure);
-    tangential.motion.rigid_slip.x += slip.x;
-    tangential.motion.rigid_slip.y += slip.y;
-  }
   TangentialOptions options;
   options.tolerance = tolerance;
   std::optional<EdgeFittedRolling> fitted;
   if (weights.size() != 0)
     fitted.emplace(*preconditioner.first_order, preconditioner.rolling, weights);
-  solution.tangential = solve_tangential(fitted ? *fitted : preconditioner.rolling, tangential,
-                                         options, solution.tangential.traction);
+  solution.tangential = solve_tangential(
+      fitted ? *fitted : preconditioner.rolling,
+      tangential_problem(preconditioner, problem.motion, problem.conditions.friction,
+                         solution.normal.pressure, defect),
+      options, solution.tangential.traction);
 }
 
 }  // namespace
@@ -151,14 +147,26 @@ TangentialField defect_slip(const Preconditioner& preconditioner, double curvatu
   return slip;
 }
 
-double force_along_load(const ContactGrid& grid, const CoupledProblem& problem,
+TangentialProblem tangential_problem(const Preconditioner& preconditioner,
+                                     const TangentialMotion& motion, const Friction& friction,
+                                     const Field& pressure, const Response* defect) {
+  TangentialProblem problem{pressure, motion, friction};
+  if (defect == nullptr) return problem;
+  const TangentialField slip =
+      defect_slip(preconditioner, motion.curvature_weight, *defect, pressure);
+  problem.motion.rigid_slip.x += slip.x;
+  problem.motion.rigid_slip.y += slip.y;
+  return problem;
+}
+
+double force_along_load(const ContactGrid& grid, const PointProblem& problem,
                         const ContactState& solution) {
-  const auto force = transmitted_force(grid, solution.traction(), problem.shape);
+  const auto force = transmitted_force(grid, solution.traction(), problem.conditions.shape);
   return problem.load.direction[0] * force[1] + problem.load.direction[1] * force[2];
 }
 
-NormalSolution press_standin(const NormalOperator& normal, const CoupledProblem& problem,
-                             const Field& start) {
+NormalSolution press_on_halfspace(const NormalOperator& normal, const PointProblem& problem,
+                                  const Field& start) {
   std::optional<double> force;
   if (problem.load.force) force = frictionless_share(problem);
   return solve_pressure(normal, problem, {}, force, {}, start);
@@ -176,7 +184,7 @@ constexpr double largest_share = 30.0;
 
 /// The share of the pressure is a fixed point. `pressed`: `solution` already holds the frictionless
 /// pressure of the load.
-void solve_in_turn(const Preconditioner& preconditioner, const CoupledProblem& problem,
+void solve_in_turn(const Preconditioner& preconditioner, const PointProblem& problem,
                    const Response* defect, const NormalOptions& normal, double tangential,
                    bool pressed, ContactState& solution) {
   const ContactGrid& grid = preconditioner.whole.grid();
@@ -194,7 +202,7 @@ void solve_in_turn(const Preconditioner& preconditioner, const CoupledProblem& p
   double share = pressure_share(grid, problem, solution);
   // A start from another load may be far away.
   if (!(share > 0.0)) share = frictionless_share(problem);
-  LoadSharing sharing;
+  PressureShare sharing;
   sharing.load = *problem.load.force;
   sharing.tolerance = shared_to;
   sharing.largest_share = largest_share;
@@ -206,13 +214,13 @@ void solve_in_turn(const Preconditioner& preconditioner, const CoupledProblem& p
 
 }  // namespace
 
-void solve_standin(const Preconditioner& preconditioner, const CoupledProblem& problem,
-                   double tolerance, ContactState& solution) {
+void solve_on_halfspace(const Preconditioner& preconditioner, const PointProblem& problem,
+                        double tolerance, ContactState& solution) {
   solve_in_turn(preconditioner, problem, nullptr, {}, tolerance, true, solution);
 }
 
-void solve_standin(const Preconditioner& preconditioner, const CoupledProblem& problem,
-                   const Response& defect, double tolerance, ContactState& solution) {
+void solve_on_halfspace(const Preconditioner& preconditioner, const PointProblem& problem,
+                        const Response& defect, double tolerance, ContactState& solution) {
   NormalOptions normal;
   normal.tolerance = std::min(normal.tolerance, 0.1 * tolerance);
   const double tangential = std::min(TangentialOptions().tolerance, 0.1 * tolerance);
