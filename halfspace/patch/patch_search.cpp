@@ -3,11 +3,7 @@
 
 #include "base/count.hpp"
 #include "base/errors.hpp"
-#include "base/pi.hpp"
-#include "contact/iteration/normal.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/elasticity/halfspace_compliance.hpp"
-#include "result/free_ends.hpp"
 #include "scene/geometry.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +15,7 @@
 #include <mutex>
 #include <optional>
 #include <tuple>
-#include <vector>
+#include <utility>
 
 namespace rollfem::halfspace {
 
@@ -27,248 +23,6 @@ using contact::ContactGrid;
 using contact::Scene;
 
 namespace {
-
-/// Elements across the box of a search, and fewest elements across the patch found.
-constexpr int elements_of_box = 30;
-constexpr int fewest_across_patch = 20;
-/// Elements over the loaded part in the last solution, on a lattice that moves with the origin:
-/// enough for steady results where several waves of a rough profile carry the load.
-constexpr int elements_of_lattice = 64;
-constexpr int most_rows = 720;
-constexpr int most_rounds = 12;
-/// Margin on each side of the previous round's patch, relative to its extent.
-constexpr double box_margin = 0.2;
-
-constexpr const char* of_search = "elements of the search for the patch";
-
-/// An overlap likely to carry the force: the overlap of Hertz's ellipse for a parabola as wide as
-/// the overlap of the profiles.
-double overlap_for_force(const Ridge& ridge, double A, double modulus, double force) {
-  double overlap = 1e-6;  // mm
-  for (int step = 0; step < 200; ++step, overlap *= 1.2) {
-    const Overlap found = ridge.overlap(ridge.least_distance() + overlap);
-    if (found.regions.empty()) continue;
-    const double half = 0.5 * found.covered();
-    if (hertz_from_force(A, overlap / (half * half), modulus, force).approach < overlap) break;
-  }
-  return overlap;
-}
-
-/// A solution of the search.
-struct Found {
-  ContactGrid grid;
-  bool touches_border;
-  ExpectedPatch patch;
-
-  /// mm, rows without pressure within the patch and its near misses.
-  double unloaded() const {
-    return patch.near.y_upper - patch.near.y_lower - patch.covered_width();
-  }
-};
-
-/// Runs of rows with pressure, the outermost ends as found below the element size.
-std::vector<std::array<double, 2>> loaded_rows(const ContactGrid& grid,
-                                               const contact::Field& pressure,
-                                               const contact::PatchSize& size) {
-  std::vector<std::array<double, 2>> runs;
-  bool inside = false;
-  for (int j = 0; j < grid.ny; ++j) {
-    const bool loaded = pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0;
-    if (loaded && !inside) runs.push_back({grid.y(j) - 0.5 * grid.dy, 0.0});
-    if (loaded) runs.back()[1] = grid.y(j) + 0.5 * grid.dy;
-    inside = loaded;
-  }
-  if (runs.empty()) return runs;
-  runs.front()[0] = size.y_lower;
-  runs.back()[1] = size.y_upper;
-  return runs;
-}
-
-/// Every one of several patches needs its elements; rough profiles touch at many points.
-constexpr int most_to_resolve = 3;
-
-int to_resolve(std::size_t runs) {
-  return std::clamp(static_cast<int>(runs), 1, most_to_resolve);
-}
-
-/// Elements along x and y of a box with `runs` patches and `gaps` (mm) between them: as many over
-/// each patch as over a single one.
-std::array<int, 2> counts(const Box& box, double gaps, std::size_t runs) {
-  constexpr double most_times = 24.0;
-  const double width = box.y_upper - box.y_lower;
-  const double times =
-      std::min(most_times, to_resolve(runs) * width / std::max(width - gaps, 1e-3 * width));
-  return {elements_of_box, contact::count_of(std::ceil(elements_of_box * times - 1e-9), of_search)};
-}
-
-/// mm, loaded length along a line of elements of size h: the extent for a parabolic load.
-double carrying(const contact::Field& load, double h) {
-  const double sum = load.sum();
-  return sum > 0.0 ? 1.2 * h * sum * sum / load.squaredNorm() : 0.0;
-}
-
-std::array<double, 2> carrying_lengths(const ContactGrid& grid, const contact::Field& pressure) {
-  contact::Field columns = contact::Field::Zero(grid.nx), rows = contact::Field::Zero(grid.ny);
-  for (int j = 0; j < grid.ny; ++j) {
-    const auto row = pressure.segment(grid.index(0, j), grid.nx);
-    rows[j] = row.sum();
-    columns += row;
-  }
-  return {carrying(columns, grid.dx), carrying(rows, grid.dy)};
-}
-
-/// `ridge`: null for bodies given point by point.
-Found solve_on(const Scene& scene, const Ridge* ridge, const ContactGrid& grid,
-               const contact::NormalLoad& load) {
-  const HalfspaceCompliance compliance(grid, scene.material.uncoupled());
-  const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::plane);
-  const contact::NormalProblem problem{geometry.undeformed_distance(grid), load.force,
-                                       load.approach};
-  contact::NormalOptions options;
-  options.tolerance = 1e-4;
-  const contact::NormalSolution normal =
-      contact::solve_normal(compliance.normal(), problem, options);
-  const contact::Field& pressure = normal.pressure;
-  contact::PatchSize size = contact::patch_size(grid, pressure);
-  contact::cut_at_ends(scene, size);
-  const auto centre = [&](auto&& coordinate) {
-    return grid.sample(coordinate).dot(pressure) / pressure.sum();
-  };
-  ExpectedPatch patch;
-  static_cast<contact::PatchSize&>(patch) = size;
-  patch.x_centre = centre([](double x, double) { return x; });
-  patch.y_centre = centre([](double, double y) { return y; });
-  patch.approach = normal.approach;
-  patch.max_pressure = pressure.maxCoeff();
-  patch.normal_force = normal.normal_force;
-  patch.loaded = loaded_rows(grid, pressure, size);
-  for (std::size_t k = 0; k + 1 < patch.loaded.size(); ++k)
-    patch.gaps += patch.loaded[k + 1][0] - patch.loaded[k][1];
-  patch.near = {size.x_lower, size.x_upper, size.y_lower, size.y_upper};
-  if (ridge != nullptr)
-    patch.near = with_near_misses(patch.near, *ridge, normal.approach, grid, pressure,
-                                  scene.material.contact_modulus);
-  const auto [length, width] = carrying_lengths(grid, pressure);
-  patch.carrying_length = length;
-  patch.carrying_width = width;
-  return {grid, contact::touches_border(grid, pressure), std::move(patch)};
-}
-
-Found solve_in(const Scene& scene, const Ridge* ridge, const Box& box,
-               const contact::NormalLoad& load, const std::array<int, 2>& n) {
-  const double dx = (box.x_upper - box.x_lower) / n[0];
-  const double dy = (box.y_upper - box.y_lower) / n[1];
-  return solve_on(scene, ridge,
-                  {n[0], n[1], dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy}, load);
-}
-
-/// The patch and near misses, so that no small patch is lost between elements, with a box_margin.
-Box next_box(const Found& found) {
-  const auto grow = [](double& lower, double& upper, double extent, double step) {
-    const double margin = box_margin * std::max(extent, 2.0 * step);
-    lower -= margin;
-    upper += margin;
-  };
-  Box next = found.patch.near;
-  grow(next.x_lower, next.x_upper, found.patch.length, found.grid.dx);
-  grow(next.y_lower, next.y_upper, found.patch.width, found.grid.dy);
-  return next;
-}
-
-/// Elements with a corner at the origin, equally many along x and y over the loaded part. The boxes
-/// of the search jump from one position to the next; this lattice moves with the bodies.
-ContactGrid lattice_over(const Found& found) {
-  const Box box = next_box(found);
-  const double dx = std::max(found.patch.carrying_length / elements_of_lattice,
-                             (box.x_upper - box.x_lower) / most_rows);
-  const double dy = std::max(found.patch.carrying_width / elements_of_lattice,
-                             (box.y_upper - box.y_lower) / most_rows);
-  const double i = std::floor(box.x_lower / dx), j = std::floor(box.y_lower / dy);
-  return {contact::count_of(std::ceil(box.x_upper / dx) - i, of_search),
-          contact::count_of(std::ceil(box.y_upper / dy) - j, of_search),
-          dx,
-          dy,
-          (i + 0.5) * dx,
-          (j + 0.5) * dy};
-}
-
-bool fine_enough(const Found& found) {
-  const ExpectedPatch& patch = found.patch;
-  return patch.length >= fewest_across_patch * found.grid.dx &&
-         patch.covered_width() >=
-             fewest_across_patch * to_resolve(patch.loaded.size()) * found.grid.dy &&
-         !found.touches_border;
-}
-
-/// For bodies given point by point: the patch on their points, then in a box around it.
-ExpectedPatch patch_of_points(const Scene& scene) {
-  const contact::Lattice& points = *scene.geometry.distance_values;
-  const Box all{points.x_first, points.x_first + (points.nx - 1) * points.dx, points.y_first,
-                points.y_first + (points.ny - 1) * points.dy};
-  const contact::NormalLoad load = contact::largest_load(scene);
-  Found found = solve_in(scene, nullptr, all, load, counts(all, 0.0, 1));
-  for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
-    const Box next = next_box(found);
-    const Box within{std::max(next.x_lower, all.x_lower), std::min(next.x_upper, all.x_upper),
-                     std::max(next.y_lower, all.y_lower), std::min(next.y_upper, all.y_upper)};
-    found = solve_in(scene, nullptr, within, load,
-                     counts(within, found.patch.gaps, found.patch.loaded.size()));
-  }
-  return found.patch;
-}
-
-ExpectedPatch patch_of_profiles(const Scene& scene, const Ridge& ridge, SearchDetail detail) {
-  const contact::NormalLoad load = contact::largest_load(scene);
-  const double A = 0.5 / scene.geometry.surface.relative_rolling_radius();
-  const double modulus = scene.material.contact_modulus;
-  double level =
-      load.force ? ridge.least_distance() + 1.1 * overlap_for_force(ridge, A, modulus, *load.force)
-                 : load.approach.value_or(0.0);
-  const auto solve_overlap = [&] {
-    const Overlap overlap = ridge.overlap(level);
-    if (overlap.regions.empty())
-      throw contact::SolveError(
-          scene.where(),
-          "no contact: the approach {} mm does not exceed the smallest distance {} mm", level,
-          ridge.least_distance());
-    // There is no contact outside the overlap: the elastic displacement always opens the gap, so
-    // that h < approach wherever there is pressure.
-    return solve_in(scene, &ridge, overlap.box, load,
-                    counts(overlap.box, overlap.gaps, overlap.regions.size()));
-  };
-  Found found = solve_overlap();
-  for (int round = 0; round < most_rounds && load.force && found.patch.approach > level; ++round) {
-    level = ridge.least_distance() + 1.2 * (found.patch.approach - ridge.least_distance());
-    found = solve_overlap();
-  }
-  for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
-    const Box box = next_box(found);
-    found = solve_in(scene, &ridge, box, load,
-                     counts(box, found.unloaded(), found.patch.loaded.size()));
-  }
-  check_profiles_reach(scene, found.patch.y_lower, found.patch.y_upper);
-  return detail == SearchDetail::box ? found.patch
-                                     : solve_on(scene, &ridge, lattice_over(found), load).patch;
-}
-
-ExpectedPatch patch_of_ellipse(const Scene& scene) {
-  const HertzContact hertz = hertz_of_scene(scene);
-  ExpectedPatch patch;
-  patch.x_lower = -hertz.semi_axis_x;
-  patch.x_upper = hertz.semi_axis_x;
-  patch.y_lower = -hertz.semi_axis_y;
-  patch.y_upper = hertz.semi_axis_y;
-  patch.length = 2.0 * hertz.semi_axis_x;
-  patch.width = 2.0 * hertz.semi_axis_y;
-  patch.approach = hertz.approach;
-  patch.max_pressure = hertz.max_pressure;
-  patch.normal_force = hertz.normal_force;
-  patch.area = (scene.geometry.line ? 4.0 : contact::pi) * hertz.semi_axis_x * hertz.semi_axis_y;
-  patch.near = {patch.x_lower, patch.x_upper, patch.y_lower, patch.y_upper};
-  patch.carrying_length = patch.length;
-  patch.carrying_width = patch.width;
-  return patch;
-}
 
 /// Cache of the latest patches of true profiles, each with its ridge. A run requests the same patch
 /// many times: to choose a model, to lay out grids, bodies and ellipses, and to find stored smooth
@@ -349,20 +103,207 @@ PatchBox PatchSearch::box() const {
           0.5 * (near.y_lower + near.y_upper), 0.5 * found.covered_width()};
 }
 
-void check_profiles_reach(const Scene& scene, double y_lower, double y_upper) {
-  if (!scene.has_profiles()) return;
-  const auto check = [&](const contact::HeightCurve& curve, const char* body) {
-    const bool below = y_lower < curve.first();
-    if (!below && y_upper <= curve.last()) return;
-    throw contact::InputError(
-        scene.where(),
-        "{}.profile: profile too short for the contact: it ends at y = {:.4g} mm of the "
-        "patch, but the contact reaches from {:.4g} to {:.4g} mm; allowed: profiles that "
-        "extend beyond the patch; do: give a longer profile, or move the wheelset",
-        body, below ? curve.first() : curve.last(), y_lower, y_upper);
+// The potential contact area.
+
+namespace {
+
+/// More elements than this are a mistake in the case file.
+constexpr double largest_number_of_elements = 4e7;
+constexpr const char* of_grid = "elements of the contact grid (contact_grid)";
+
+int elements(double extent, double cell, int margin) {
+  // An extent of a whole number of cells must not gain one by rounding.
+  return contact::count_of(std::ceil(extent / cell - 1e-6), of_grid) + 2 * margin;
+}
+
+void check_cells(const Scene& scene, const PatchExtent& extent, double dx, double dy, int margin) {
+  if (dx > 0.0 && dy > 0.0) {
+    const double nx = extent.length / dx + 2.0 * margin, ny = extent.width / dy + 2.0 * margin;
+    if (nx * std::max(ny, 1.0) <= largest_number_of_elements && ny <= largest_number_of_elements)
+      return;
+  }
+  throw contact::InputError(
+      scene.where(),
+      "contact_grid.cell_size = [{}, {}] mm: a patch of about {:.4g} by {:.4g} mm needs cells "
+      "above 0 and at most {:.0e} of them; do: choose larger cells",
+      dx, dy, extent.length, extent.width, largest_number_of_elements);
+}
+
+/// A tiny patch may lie far from the origin, where the bodies touch first.
+void check_distance(const Scene& scene, const ExpectedPatch& patch, double dx, double dy) {
+  const double length = std::max(patch.x_upper, 0.0) - std::min(patch.x_lower, 0.0);
+  const double width = std::max(patch.y_upper, 0.0) - std::min(patch.y_lower, 0.0);
+  if (length / dx * (width / dy) <= largest_number_of_elements) return;
+  throw contact::SolveError(
+      scene.where(),
+      "the patch, of about {:.3g} by {:.3g} mm, lies up to {:.3g} mm from the place where "
+      "wheel and rail touch first, which the contact grid contains too: it needs more than {:.0e} "
+      "elements; do: give a larger load, or a larger contact_grid.cell_size",
+      patch.length, patch.width, std::max(length, width), largest_number_of_elements);
+}
+
+/// Elements of dx by dy that contain the patch, the origin and a margin, on the lattice with a
+/// corner at the origin (and at the requested middle): a patch has the same elements whether or not
+/// the grid contains another patch.
+ContactGrid anchored_grid(const ExpectedPatch& patch, const std::array<double, 2>& middle,
+                          double dx, double dy, int margin) {
+  const auto first = [&](double lower, double cell) {
+    return contact::count_of(std::floor(std::min(lower, 0.0) / cell + 1e-6), of_grid) - margin;
   };
-  check(scene.geometry.surface.profiles->rail(), "rail");
-  check(scene.geometry.surface.profiles->wheel(), "wheel");
+  const auto last = [&](double upper, double cell) {
+    return contact::count_of(std::ceil(std::max(upper, 0.0) / cell - 1e-6), of_grid) + margin;
+  };
+  const int i = first(patch.x_lower, dx), j = first(patch.y_lower, dy);
+  return {last(patch.x_upper, dx) - i, last(patch.y_upper, dy) - j, dx, dy,
+          middle[0] + (i + 0.5) * dx,  middle[1] + (j + 0.5) * dy};
+}
+
+/// Whole elements that fit into a given extent.
+int elements_within(double extent, double cell) {
+  return std::max(1, contact::count_of(std::floor(extent / cell + 1e-6), of_grid));
+}
+
+}  // namespace
+
+PatchExtent PatchSearch::extent() const {
+  if (const auto& values = scene_.geometry.distance_values) {
+    if (scene_.contact_grid.extent)
+      return {(*scene_.contact_grid.extent)[0], (*scene_.contact_grid.extent)[1]};
+    return {(values->nx - 1) * values->dx, (values->ny - 1) * values->dy};
+  }
+  return {patch().carrying_length, patch().carrying_width};
+}
+
+/// There is no contact far beyond the profiles.
+void PatchSearch::check_extent_of_profiles() const {
+  const auto& extent = scene_.contact_grid.extent;
+  if (!extent) return;
+  constexpr double most_times = 10.0;
+  const contact::HeightCurve& rail = scene_.geometry.surface.profiles->rail();
+  const double most = most_times * (rail.last() - rail.first());
+  if (std::max((*extent)[0], (*extent)[1]) <= most) return;
+  throw contact::InputError(
+      scene_.where(),
+      "contact_grid.extent = [{:.4g}, {:.4g}] mm: the rail's profile is {:.4g} mm wide; "
+      "allowed: up to {:g} times that, {:.4g} mm; do: give the extent of the patches, or "
+      "remove it",
+      (*extent)[0], (*extent)[1], rail.last() - rail.first(), most_times, most);
+}
+
+/// Rejects an area that cannot contain the patch, or is far too large for it, by the closed form.
+/// The true patch of strongly curved bodies may be about ten per cent smaller than Hertz's ellipse,
+/// but not half of it.
+void PatchSearch::check_extent() const {
+  const contact::GridOptions& options = scene_.contact_grid;
+  if (scene_.geometry.distance_values) return;
+  if (scene_.has_profiles()) {
+    check_extent_of_profiles();
+    return;
+  }
+  const std::array<double, 2> size{patch().length, patch().width};
+  // Without an extent the area grows until it holds the patch, a few times.
+  constexpr double least_share = 0.5, most_times = 100.0, reach_by_growing = 10.0;
+  bool fits = true;
+  for (int k = 0; k < 2; ++k) {
+    const double extent = options.extent ? (*options.extent)[k] : reach_by_growing * size[k];
+    fits = fits && extent <= most_times * size[k] &&
+           0.5 * extent - std::abs(options.middle[k]) >= 0.5 * least_share * size[k];
+  }
+  if (fits) return;
+  const std::array<double, 2> extent = options.extent.value_or(size);
+  throw contact::InputError(
+      scene_.where(),
+      "contact_grid.extent = [{:.4g}, {:.4g}] mm about [{:g}, {:g}]: the patch, of "
+      "about {:.4g} by {:.4g} mm about [0, 0] by Hertz, is not inside it, or smaller "
+      "than a hundredth of it; allowed: an extent from that of the patch to {:g} times "
+      "as much; do: correct contact_grid.extent or middle, or remove them",
+      extent[0], extent[1], options.middle[0], options.middle[1], size[0], size[1], most_times);
+}
+
+void PatchSearch::check_shape_of_cells(double dx, double dy) const {
+  if (scene_.geometry.distance_values || scene_.geometry.line) return;
+  constexpr double most_times = 200.0;
+  const PatchExtent extent = this->extent();
+  const double nx = extent.length / dx, ny = extent.width / dy;
+  if (std::max(nx, ny) <= most_times * std::min(nx, ny)) return;
+  throw contact::InputError(
+      scene_.where(),
+      "contact_grid.cell_size = [{:g}, {:g}] mm gives {:.4g} by {:.4g} elements in "
+      "the box of {:.4g} by {:.4g} mm around the patch; allowed: up to {:g} times as "
+      "many in one direction as in the other; do: choose cells in the shape of the "
+      "patch, or give contact_grid.elements_across",
+      dx, dy, nx, ny, extent.length, extent.width, most_times);
+}
+
+/// A grid within twice the reference distance keeps the compliance positive: its logarithm is
+/// positive up to four times the reference distance. Within a fifth of a finite width, displacement
+/// differences are those of endless rollers to some 1 %.
+ContactGrid PatchSearch::line_grid(double dx, int margin) const {
+  const contact::GridOptions& options = scene_.contact_grid;
+  const contact::LineContact& line = *scene_.geometry.line;
+  check_extent();
+  check_cells(scene_, {patch().length, line.width}, dx, line.width, 0);
+  const int nx = options.extent ? elements_within((*options.extent)[0], dx)
+                                : elements(patch().length, dx, margin);
+  const bool finite = std::isinf(line.reference);
+  const double given = reference_of(line);
+  const double least = (finite ? 5.0 : 0.5) * nx * dx;
+  const double radius = std::abs(scene_.geometry.surface.rolling_radius);
+  if (given < least && patch().length > 2.0 * radius)
+    throw contact::InputError(
+        scene_.where(),
+        "the patch of {:.4g} mm by Hertz is longer than the body, whose relative radius is "
+        "{:.4g} mm: no half-space; allowed: a patch that is short against the radius; do: "
+        "check the load (N), young_modulus (MPa) and the radius (mm)",
+        patch().length, radius);
+  if (given < least)
+    throw contact::InputError(
+        scene_.where(),
+        "geometry.{} = {:g} mm: the contact grid is {:.4g} mm long; allowed: at least {:.4g} "
+        "mm, {} that; do: give a larger one, or a shorter contact_grid.extent",
+        finite ? "width" : "reference_distance", given, nx * dx, least,
+        finite ? "with reference_distance = inf five times" : "half of");
+  ContactGrid grid = ContactGrid::centred(nx, 1, dx, line.width, options.middle[0], 0.0);
+  grid.line_reference = line.reference;
+  return grid;
+}
+
+ContactGrid PatchSearch::grid(double dx, double dy, int margin) const {
+  if (scene_.geometry.line) return line_grid(dx, margin);
+  const contact::GridOptions& options = scene_.contact_grid;
+  const auto& values = scene_.geometry.distance_values;
+  check_extent();
+  if (!options.extent && !values) {
+    const PatchExtent box{patch().length, patch().width};
+    check_cells(scene_, box, dx, dy, margin);
+    if (scene_.has_profiles()) check_distance(scene_, patch(), dx, dy);
+    if (scene_.has_profiles()) return anchored_grid(patch(), options.middle, dx, dy, margin);
+    return ContactGrid::centred(elements(box.length, dx, margin), elements(box.width, dy, margin),
+                                dx, dy, options.middle[0] + patch().x_middle(),
+                                options.middle[1] + patch().y_middle());
+  }
+  const PatchExtent extent =
+      options.extent ? PatchExtent{(*options.extent)[0], (*options.extent)[1]} : this->extent();
+  std::array<double, 2> middle = options.middle;
+  if (values && !options.extent)
+    middle = {values->x_first + 0.5 * extent.length, values->y_first + 0.5 * extent.width};
+  check_cells(scene_, extent, dx, dy, 0);
+  return ContactGrid::centred(elements_within(extent.length, dx), elements_within(extent.width, dy),
+                              dx, dy, middle[0], middle[1]);
+}
+
+ContactGrid PatchSearch::grid(int margin) const {
+  const contact::GridOptions& options = scene_.contact_grid;
+  if (!options.cell_size && options.elements_across < 1)
+    throw contact::InputError(scene_.where(),
+                              "contact_grid.elements_across = {}: must be at least 1",
+                              options.elements_across);
+  const PatchExtent extent = this->extent();
+  const double across = options.elements_across;
+  const double dx = options.cell_size ? (*options.cell_size)[0] : extent.length / across;
+  const double dy = options.cell_size ? (*options.cell_size)[1] : extent.width / across;
+  check_shape_of_cells(dx, dy);
+  return grid(dx, dy, margin);
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include "base/errors.hpp"
 #include "base/threads.hpp"
 #include "result/record.hpp"
+#include "track/balance/flange_bending.hpp"
 #include "track/balance/position.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "track/balance/flange_bending.hpp"
+
 #include "halfspace/patch/load_sharing.hpp"
-#include "track/balance/balance.hpp"
 
 #include <fmt/format.h>
 
