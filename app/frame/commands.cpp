@@ -96,7 +96,7 @@ void add_report_flags(CLI::App& command, ComputingRequest& request) {
       "write results only, no figures and no report");
 }
 
-void add_division(CLI::App& command, contact::OwnPart& own, int& merge, const std::string& items) {
+void add_division(CLI::App& command, contact::RunPart& own, int& merge, const std::string& items) {
   command.add_option_function<std::string>(
       "--part", [&own](const std::string& text) { own = modelling::parse_part(text); },
       "K/N: compute part K of N of the " + items +

@@ -73,7 +73,7 @@ void add_quiet_flags(CLI::App& program);
 void add_report_flags(CLI::App& command, ComputingRequest& request);
 
 /// Adds the options that divide long work among calls (array jobs, machines).
-void add_division(CLI::App& command, contact::OwnPart& own, int& merge, const std::string& items);
+void add_division(CLI::App& command, contact::RunPart& own, int& merge, const std::string& items);
 
 /// An example and every model with its description, for the end of a help text.
 std::string footer_with_models(const std::string& example, const contact::ModelRegistry& models);

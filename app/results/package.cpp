@@ -29,7 +29,7 @@ struct Handed {
   std::map<std::string, int> number;
   std::map<std::string, double> value;
   std::map<std::string, bool> flag;
-  contact::OwnPart own;
+  contact::RunPart own;
 };
 
 /// {"model": ["hertz", "halfspace"], "quiet": ["true"], ...}: the options that the call has.

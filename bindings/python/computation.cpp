@@ -307,8 +307,8 @@ void define_frame(py::module_& module) {
   py::class_<Computing>(module, "Computing")
       .def(py::init([](const std::string& command, bool quiet, bool resume, const std::string& part,
                        int merge) {
-             const contact::OwnPart own =
-                 part.empty() ? contact::OwnPart() : modelling::parse_part(part);
+             const contact::RunPart own =
+                 part.empty() ? contact::RunPart() : modelling::parse_part(part);
              return std::unique_ptr<Computing>(
                  new Computing{known_models(), command, quiet, resume, own, merge});
            }),

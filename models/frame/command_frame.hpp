@@ -3,7 +3,7 @@
 // quiet, work stored for --resume, and the handling of failures.
 #pragma once
 
-#include "contact/solve/own_part.hpp"
+#include "contact/solve/run_part.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/frame/progress_display.hpp"
 #include "models/solving/solving.hpp"
@@ -25,7 +25,7 @@ struct Computing {
   std::string command;  ///< the whole call, for provenance
   bool quiet = false;
   bool resume = false;   ///< continue an interrupted run
-  contact::OwnPart own;  ///< --part: part of the work to do and store, without a result
+  contact::RunPart own;  ///< --part: part of the work to do and store, without a result
   int merge = 0;         ///< --merge: number of parts to put together
 };
 

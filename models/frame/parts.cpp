@@ -18,13 +18,13 @@ namespace rollfem::modelling {
 
 namespace fs = std::filesystem;
 
-std::string part_directory(const fs::path& directory, contact::OwnPart own) {
+std::string part_directory(const fs::path& directory, contact::RunPart own) {
   if (own.whole()) return directory.string();
   return fmt::format("{}.part-{}-of-{}", result::resolved_folder(directory).string(), own.part + 1,
                      own.of);
 }
 
-contact::OwnPart parse_part(const std::string& text) {
+contact::RunPart parse_part(const std::string& text) {
   const std::size_t slash = std::min(text.find('/'), text.size());
   const int part = contact::whole_number_of(text.substr(0, slash)).value_or(0);
   const int of =

@@ -4,7 +4,7 @@
 // identical to the last bit to that of a single call.
 #pragma once
 
-#include "contact/solve/own_part.hpp"
+#include "contact/solve/run_part.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -18,10 +18,10 @@ struct Computing;
 inline constexpr const char* part_done = "part-done";
 
 /// Folder beside which a part stores its work; the result folder itself if nothing is divided.
-std::string part_directory(const std::filesystem::path& directory, contact::OwnPart own);
+std::string part_directory(const std::filesystem::path& directory, contact::RunPart own);
 
 /// "3/8": the third of eight parts. Throws contact::InputError.
-contact::OwnPart parse_part(const std::string& text);
+contact::RunPart parse_part(const std::string& text);
 
 /// Refuses --part together with --merge, and either one if there is nothing to divide: `items` of
 /// `kind` ("positions of the wheelset"). Throws contact::InputError.

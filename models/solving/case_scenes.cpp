@@ -76,7 +76,7 @@ Case on_common_surface(Case input) {
 }
 
 Scenes scenes_of(const Case& input, const Placed& placed, const contact::Progress& progress,
-                 contact::Checkpoint* kept, contact::OwnPart own) {
+                 contact::Checkpoint* kept, contact::RunPart own) {
   if (!placed) return {{contact::Scene(input)}, {}, {}};
   track::BalancedCase balanced = track::balance(input, *placed, progress, kept, own);
   return {std::move(balanced.scenes), drawn_pairs(input, placed->search, balanced.placed),

@@ -5,8 +5,8 @@
 
 #include "base/checkpoint.hpp"
 #include "base/progress.hpp"
+#include "contact/solve/run_part.hpp"
 #include "case/case.hpp"
-#include "contact/solve/own_part.hpp"
 #include "result/write/output.hpp"
 #include "track/balance/balance.hpp"
 
@@ -36,7 +36,7 @@ contact::Case on_common_surface(contact::Case input);
 /// and resumed from `kept`, which may be null. Throws contact::InputError and contact::SolveError.
 Scenes scenes_of(const contact::Case& input, const Placed& placed,
                  const contact::Progress& progress = {}, contact::Checkpoint* kept = nullptr,
-                 contact::OwnPart own = {});
+                 contact::RunPart own = {});
 
 /// The same without the balance, which takes time.
 std::vector<contact::Scene> unbalanced_scenes(const contact::Case& input, const Placed& placed);

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/progress.hpp"
+#include "contact/solve/run_part.hpp"
 #include "contact/solve/model.hpp"
-#include "contact/solve/own_part.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "result/result.hpp"
@@ -25,7 +25,7 @@ struct Solving {
   Placed placed;  ///< wheels in position; null: `solve` places them
   contact::Progress progress;
   contact::Checkpoint* checkpoint = nullptr;  ///< may be null
-  contact::OwnPart own;                       ///< positions of the wheelset that this call solves
+  contact::RunPart own;                       ///< positions of the wheelset that this call solves
   bool first = true;     ///< first process of a parallel run, which alone runs serial models
   bool together = true;  ///< this is the only process
   /// True: a model that cannot take the case, or fails, is listed as missing. False: its exception

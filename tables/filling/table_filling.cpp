@@ -64,7 +64,7 @@ std::vector<Scaled> creepages_of(const CreepTable& table, const TablePart& part)
 struct TableParts {
   std::string name;        ///< of the records
   std::string stage;       ///< in progress events
-  contact::OwnPart own;    ///< parts to solve; others are only read if stored
+  contact::RunPart own;    ///< parts to solve; others are only read if stored
   std::size_t points = 0;  ///< in the list
   std::size_t of_a_group = 1;
   /// Called by several threads at once.
@@ -119,7 +119,7 @@ void solve_parts(const TableParts& table, const contact::Progress& progress,
 }
 
 void fill_grid(CreepTable& table, const TableSource& source, const contact::Progress& progress,
-               contact::Checkpoint* checkpoint, contact::OwnPart own) {
+               contact::Checkpoint* checkpoint, contact::RunPart own) {
   const std::size_t of_a_place = table.size() / table.nodes();
   table.forces.resize(table.size());
   table.bars.resize(table.size());
@@ -328,7 +328,7 @@ std::string duration(double seconds) {
 /// Reports how long filling will take from a cold start, from some points in the middle of the
 /// table.
 void forecast(const CreepTable& table, const TableSource& source, int check_points,
-              const contact::Progress& progress, contact::OwnPart own) {
+              const contact::Progress& progress, contact::RunPart own) {
   constexpr std::size_t sample = 16, worth_a_forecast = 200;
   if (table.size() < worth_a_forecast) return;
   const std::size_t places = table.nodes(), of_a_place = table.size() / places;
@@ -354,7 +354,7 @@ void forecast(const CreepTable& table, const TableSource& source, int check_poin
 }  // namespace
 
 void fill_table(CreepTable& table, const contact::Case& input, const contact::Progress& progress,
-                contact::Checkpoint* checkpoint, contact::OwnPart own) {
+                contact::Checkpoint* checkpoint, contact::RunPart own) {
   const std::unique_ptr<TableSource> source =
       table.over_shifts() ? wheel_source(input) : ellipse_source(table, input);
   source->prepare(table, progress);

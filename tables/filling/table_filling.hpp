@@ -4,8 +4,8 @@
 
 #include "base/checkpoint.hpp"
 #include "base/progress.hpp"
+#include "contact/solve/run_part.hpp"
 #include "case/case.hpp"
-#include "contact/solve/own_part.hpp"
 #include "tables/files/creep_table.hpp"
 
 namespace rollfem::tables {
@@ -18,6 +18,6 @@ namespace rollfem::tables {
 /// the table stays incomplete. Throws contact::SolveError if a point does not converge or a wheel
 /// does not touch.
 void fill_table(CreepTable& table, const contact::Case& input, const contact::Progress& progress,
-                contact::Checkpoint* checkpoint, contact::OwnPart own = {});
+                contact::Checkpoint* checkpoint, contact::RunPart own = {});
 
 }  // namespace rollfem::tables

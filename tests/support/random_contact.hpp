@@ -3,13 +3,11 @@
 // be made again: the tangential solver has to solve them all.
 #pragma once
 
-#include "base/errors.hpp"
-#include "contact/solve/contact_run.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"
 
 #include "tests/support/random_draws.hpp"
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <exception>
@@ -31,7 +29,6 @@ inline const char* name_of(RandomKind kind) {
 struct RandomContact {
   RandomKind kind = RandomKind::rolling;
   int across = 20;
-  int margin = 3;           ///< elements around the patch of Hertz
   double a = 5.0, b = 5.0;  ///< semi-axes along and across rolling, mm
   double friction = 0.3;
   contact::Material wheel, rail;
@@ -49,27 +46,6 @@ struct RandomContact {
     combined.layer = layer;
     return combined;
   }
-  contact::ContactGrid grid() const {
-    const int elements = across + 2 * margin;
-    return contact::ContactGrid::centred(elements, elements, 2.0 * a / across, 2.0 * b / across);
-  }
-
-  /// A and B of the undeformed distance A x^2 + B y^2 whose Hertz contact has these semi-axes and
-  /// this pressure (Johnson 4.26).
-  std::array<double, 2> curvatures() const {
-    const double large = std::max(a, b), small = std::min(a, b);
-    const double e2 = 1.0 - small * small / (large * large);
-    const double scale = max_pressure / material().contact_modulus;
-    double along_large = M_PI * scale / (4.0 * large), along_small = along_large;
-    if (e2 > 1e-8) {
-      const double e = std::sqrt(e2);
-      const double first = std::comp_ellint_1(e), second = std::comp_ellint_2(e);
-      const double factor = scale * small / (e2 * large * large);
-      along_large = factor * (first - second);
-      along_small = factor * (large * large / (small * small) * second - first);
-    }
-    return a >= b ? std::array{along_large, along_small} : std::array{along_small, along_large};
-  }
 
   contact::Scene scene() const {
     contact::Scene scene;
@@ -77,10 +53,13 @@ struct RandomContact {
     scene.rail.material = rail;
     scene.material = material();
     scene.friction_law = falling ? falling : contact::coulomb(friction);
-    if (given_pressure)
-      scene.given_pressure = contact::GivenPressure{a, b, max_pressure};
-    else
-      scene.geometry.quadratic = curvatures();
+    scene.given_pressure = contact::GivenPressure{a, b, max_pressure};
+    if (!given_pressure) {
+      // Of bodies with this contact of Hertz.
+      const contact::Curvatures bodies = halfspace::curvatures_of_scene(scene);
+      scene.geometry.quadratic = {bodies.A, bodies.B};
+      scene.given_pressure.reset();
+    }
     contact::LoadPoint point;
     point.load.force = normal_force();
     point.creepage = creepage;
@@ -213,56 +192,31 @@ class RandomContacts : private RandomDraws {
 /// 10 elements across; or a cold start. Steps of a history start from the previous step.
 enum class RandomStart { nested, scratch };
 
-/// Solves a contact on one grid, which grows until it holds the patch: under much friction unlike
-/// materials carry their patch to where Hertz has none. `coarser` may be null.
-inline contact::LevelResult run_level(RandomContact contact, const contact::LevelResult* coarser,
-                                      RandomOutcome& outcome) {
-  const contact::Scene scene = contact.scene();
-  const contact::ChartedGeometry geometry = halfspace::halfspace_geometry(scene);
-  const contact::Progress silent;
-  contact::RunOptions options;
-  options.force_accuracy = halfspace::accuracy_of_force_search;
-  options.coarser = coarser;
-  constexpr int most_enlargements = 4;
-  for (int k = 0; k <= most_enlargements; ++k) {
-    outcome = {};
-    const contact::ContactGrid grid = contact.grid();
-    contact::ContactRun run(scene, geometry, options, silent, nullptr);
-    try {
-      if (run.solve(grid, [&] { return halfspace::halfspace_elasticity(scene, geometry, grid); })) {
-        contact::LevelResult level = run.take_result();
-        outcome.newton_steps = level.newton_steps;
-        outcome.krylov_iterations = level.krylov_iterations;
-        if (scene.material.couples()) outcome.outer_iterations = level.iterations;
-        return level;
-      }
-    } catch (const std::exception& error) {
-      outcome.solved = false;
-      outcome.chatters = dynamic_cast<const contact::NoSteadyFriction*>(&error) != nullptr;
-      outcome.message = error.what();
-      return {};
-    }
-    contact.margin += contact.across / 4 + 3;
-  }
-  outcome.solved = false;
-  outcome.message = "the patch reaches the border of the grid";
-  return {};
-}
-
 /// Solves a random contact; the outcome is that of its own grid. As in the models, a coarser grid
 /// without a solution for unlike materials is skipped.
 inline RandomOutcome run_random(const RandomContact& contact, RandomStart start) {
   std::vector<int> sizes{contact.across};
   while (start == RandomStart::nested && sizes.back() / 2 >= 10) sizes.push_back(sizes.back() / 2);
-  std::unique_ptr<contact::LevelResult> coarser;  // none
+  const contact::Scene scene = contact.scene();
+  const halfspace::PatchSearch area(scene);
+  std::optional<contact::LevelResult> coarser;
   RandomOutcome outcome;
   for (; !sizes.empty(); sizes.pop_back()) {
-    RandomContact on_grid = contact;
-    on_grid.across = sizes.back();
-    contact::LevelResult level = run_level(on_grid, coarser.get(), outcome);
-    if (!outcome.solved && !contact.material().couples()) break;
-    coarser.reset();
-    if (outcome.solved) coarser = std::make_unique<contact::LevelResult>(std::move(level));
+    outcome = {};
+    try {
+      coarser = halfspace::solve_level(scene, area, 2.0 * contact.a / sizes.back(),
+                                       2.0 * contact.b / sizes.back(),
+                                       coarser ? &*coarser : nullptr, "", {});
+      outcome.newton_steps = coarser->newton_steps;
+      outcome.krylov_iterations = coarser->krylov_iterations;
+      if (scene.material.couples()) outcome.outer_iterations = coarser->iterations;
+    } catch (const std::exception& error) {
+      outcome.solved = false;
+      outcome.chatters = dynamic_cast<const contact::NoSteadyFriction*>(&error) != nullptr;
+      outcome.message = error.what();
+      coarser.reset();
+      if (!scene.material.couples()) break;
+    }
   }
   return outcome;
 }

@@ -156,7 +156,7 @@ BalancedCase balance(const Case& input) {
 
 BalancedCase balance(const Case& input, const PlacedWheels& placed,
                      const contact::Progress& progress, contact::Checkpoint* kept,
-                     contact::OwnPart own) {
+                     contact::RunPart own) {
   BalancedCase result;
   result.notes = notes_of(input);
   const int count = static_cast<int>(input.wheelset.positions());

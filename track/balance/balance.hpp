@@ -7,8 +7,8 @@
 
 #include "base/checkpoint.hpp"
 #include "base/progress.hpp"
+#include "contact/solve/run_part.hpp"
 #include "case/case.hpp"
-#include "contact/solve/own_part.hpp"
 #include "result/result.hpp"
 #include "scene/scene.hpp"
 #include "track/motion/placed_scenes.hpp"
@@ -49,7 +49,7 @@ std::vector<WheelRailContact> place_wheels(const contact::Case& input, const Sea
 /// when there is no balance (friction that would lift the wheel, no rotation without torque).
 BalancedCase balance(const contact::Case& input, const PlacedWheels& placed,
                      const contact::Progress& progress = {}, contact::Checkpoint* kept = nullptr,
-                     contact::OwnPart own = {});
+                     contact::RunPart own = {});
 
 /// The same, including the placement of the wheels.
 BalancedCase balance(const contact::Case& input);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One of several parts of a long task shared by independent calls.
+// One of several parts of a long run that independent calls share.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@ namespace rollfem::contact {
 
 /// Part `part` (from 0) of `of`: every `of`-th item, so that neighbours, which have similar cost,
 /// are distributed.
-struct OwnPart {
+struct RunPart {
   int part = 0;
   int of = 1;
   bool whole() const { return of == 1; }
