@@ -305,6 +305,27 @@ void repeat_load_points(const GivenCase& given, Case& input) {
   repeat(input.wheelset.rotation_change);
 }
 
+void check_hardening_law(const GivenCase& given, const std::string& section,
+                         const HardeningLaw& law, const BodyPlasticity& steel) {
+  constexpr double beyond_all_strain = 1e12;
+  const auto acts = [&](const HardeningLaw::Constant& one) { return steel.*one.member != 0.0; };
+  const auto& constants = law.constants;
+  const auto given_one = std::find_if(constants.begin(), constants.end(), acts);
+  if (given_one == constants.end()) return;
+  const auto refuse = [&](const char* wrong, const std::string& allowed, const char* action) {
+    fail_at(given, section + "." + given_one->key, wrong, allowed, action);
+  };
+  if (steel.yield_stress + law.rise(steel, beyond_all_strain) <= 0.0)
+    refuse("softens the steel to nothing",
+           fmt::format("above {:g} MPa (minus the yield stress)", -steel.yield_stress),
+           "give a smaller softening");
+  std::string together;
+  for (const auto& one : constants)
+    together += (together.empty() ? "" : " together with ") + std::string(one.key);
+  if (!std::all_of(constants.begin(), constants.end(), acts))
+    refuse("has no effect by itself", together, "give all of them, or none");
+}
+
 /// What the keys of a steel need of each other.
 void check_plasticity(const GivenCase& given, const char* body, const BodyPlasticity& steel) {
   const std::string section = std::string(body) + "_plasticity";
@@ -329,15 +350,7 @@ void check_plasticity(const GivenCase& given, const char* body, const BodyPlasti
   if (length("hardening") > most)
     fail_at(given, section + ".hardening", fmt::format("has {} back stresses", length("hardening")),
             fmt::format("one to {} moduli", most), "join those that saturate at similar strains");
-  if (steel.rise < 0.0 && -steel.rise >= steel.yield_stress)
-    fail_at(given, section + ".isotropic_rise", "softens the steel to nothing",
-            fmt::format("above {:g} MPa (minus the yield stress)", -steel.yield_stress),
-            "give a smaller softening");
-  if ((steel.rise != 0.0) != (steel.rate != 0.0)) {
-    const std::string key = steel.rise != 0.0 ? "isotropic_rise" : "isotropic_rate";
-    fail_at(given, section + "." + key, "has no effect by itself",
-            "isotropic_rise together with isotropic_rate", "give both of them, or neither");
-  }
+  for (const HardeningLaw& law : hardening_laws()) check_hardening_law(given, section, law, steel);
 }
 
 }  // namespace

@@ -149,12 +149,11 @@ SectionWithKeys plasticity_section(const std::string& name, Body Case::*body) {
            symbol("gamma"), zero_or(smallest, largest), otherwise("0 (Prager)"),
            "Dynamic recovery of each back stress, or one number for all (Armstrong and Frederick; "
            "Chaboche), which saturates at hardening/recovery; 0: linear (Prager).");
-  keys.add("isotropic_rise", &Steel::rise, silent_default, otherwise("0"), symbol("Q"), unit("MPa"),
-           within(largest),
-           "Rise of the yield stress with the accumulated plastic strain p, Q (1 - exp(-b p)) "
-           "(Voce); negative: the steel softens.");
-  keys.add("isotropic_rate", &Steel::rate, silent_default, otherwise("0"), symbol("b"),
-           zero_or(smallest, largest), "Its rate over p.");
+  for (const HardeningLaw& law : hardening_laws())
+    for (const HardeningLaw::Constant& own : law.constants)
+      keys.add(own.key, own.member, silent_default, otherwise("0"), symbol(own.symbol),
+               unit(own.unit), own.may_be_negative ? within(largest) : zero_or(smallest, largest),
+               std::string(own.sentence));
   add_residual_stress(keys);
   return keys;
 }

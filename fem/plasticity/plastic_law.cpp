@@ -31,10 +31,6 @@ Deviator sum(const Deviator& a, double factor, const Deviator& b) {
 PlasticLaw::PlasticLaw(const contact::BodyPlasticity& parameters, double shear_modulus)
     : parameters_(parameters), shear_modulus_(shear_modulus) {}
 
-double PlasticLaw::yield_stress(double accumulated) const {
-  return parameters_.yield_stress - parameters_.rise * std::expm1(-parameters_.rate * accumulated);
-}
-
 Deviator PlasticLaw::stress(const PlasticState& state, const Deviator& strain) const {
   Deviator s = sum(strain, -1.0, state.strain);
   for (double& component : s) component *= 2.0 * shear_modulus_;
@@ -48,7 +44,8 @@ Deviator PlasticLaw::relative_stress(const PlasticState& state, const Deviator& 
 }
 
 double PlasticLaw::utilisation(const PlasticState& state, const Deviator& strain) const {
-  return root_of_3_2 * norm(relative_stress(state, strain)) / yield_stress(state.accumulated);
+  return root_of_3_2 * norm(relative_stress(state, strain)) /
+         parameters_.yield_stress_at(state.accumulated);
 }
 
 void PlasticLaw::advance(PlasticState& state, const Deviator& from, const Deviator& to,
@@ -77,7 +74,8 @@ void PlasticLaw::step(PlasticState& state, const Deviator& strain) const {
       direction = sum(direction, -theta, state.back[k]);
       stiffness += theta * laws[k].modulus;
     }
-    return root_of_3_2 * norm(direction) - yield_stress(state.accumulated + dp) - stiffness * dp;
+    return root_of_3_2 * norm(direction) - parameters_.yield_stress_at(state.accumulated + dp) -
+           stiffness * dp;
   };
   // The elastic strain alone bounds dp from above, unless the yield stress falls.
   const double at_rest = excess(0.0);

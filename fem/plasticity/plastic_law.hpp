@@ -32,8 +32,6 @@ class PlasticLaw {
 
   double shear_modulus() const { return shear_modulus_; }
   const contact::BodyPlasticity& parameters() const { return parameters_; }
-  /// Radius of the yield surface as a uniaxial stress, MPa.
-  double yield_stress(double accumulated) const;
   /// Stress deviator, MPa, of a state at a total deviatoric strain: 2 G (e - eps_p).
   Deviator stress(const PlasticState& state, const Deviator& strain) const;
   /// Von Mises stress relative to the yield surface of the state: 1 on it, above 1 outside.

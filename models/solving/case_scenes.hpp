@@ -5,8 +5,8 @@
 
 #include "base/checkpoint.hpp"
 #include "base/progress.hpp"
-#include "contact/solve/run_part.hpp"
 #include "case/case.hpp"
+#include "contact/solve/run_part.hpp"
 #include "result/write/output.hpp"
 #include "track/balance/balance.hpp"
 

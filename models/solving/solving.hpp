@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/progress.hpp"
-#include "contact/solve/run_part.hpp"
 #include "contact/solve/model.hpp"
+#include "contact/solve/run_part.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "result/result.hpp"
