@@ -40,6 +40,22 @@ class Row:
         return bool(math.isfinite(self.difference) and abs(self.difference) <= self.allowed)
 
 
+def closest(rows):
+    """Of rows that say the same of different places, the one closest to its tolerance or farthest beyond."""
+    return max(rows, key=lambda row: abs(row.difference) / row.allowed if math.isfinite(row.difference) else math.inf)
+
+
+def printed(quantity, unit, reference, reached, digits=4, by="CONTACT"):
+    """A row of a number that is printed to so many digits, which hold to half a unit of the last."""
+    last = 10.0 ** (math.floor(math.log10(abs(reference))) - digits + 1)
+    return Row(quantity, unit, reference, reached, 0.501 * last / abs(reference), by=by)
+
+
+def at_most(quantity, unit, reached, limit, by=""):
+    """A row of a number that has to stay below a limit, in parts of it."""
+    return Row(quantity, unit, 0.0, reached, 1.0, of=limit, of_words=f"{limit:.3g}", by=by)
+
+
 @dataclass
 class Cost:
     """Cost of one computation: wall time of the model in `seconds`, number of `unknowns`."""

@@ -17,6 +17,23 @@ def elliptic_integrals(k2):
     return first, first * (1.0 - sum_)
 
 
+def _sides(k2):
+    """A and B of h = A x^2 + B y^2 times E*/p0 times the longer semi-axis, which lies along x, for e^2 = k2."""
+    first, second = elliptic_integrals(k2)
+    ratio = np.sqrt(1 - k2)
+    return ratio / k2 * (first - second), ratio / k2 * (second / ratio**2 - first)
+
+
+def hertz_curvatures(semi_axis_x, semi_axis_y, force, modulus):
+    """(A, B) of the bodies whose ellipse has these semi-axes: the inverse of hertz."""
+    longer, shorter = max(semi_axis_x, semi_axis_y), min(semi_axis_x, semi_axis_y)
+    pressure = 1.5 * force / (np.pi * longer * shorter)
+    if longer == shorter:
+        return (np.pi * pressure / (4 * modulus * longer),) * 2
+    small, large = (float(side * pressure / (modulus * longer)) for side in _sides(1 - (shorter / longer) ** 2))
+    return (small, large) if semi_axis_x > semi_axis_y else (large, small)
+
+
 def hertz(curvature_x, curvature_y, force, modulus):
     """(a along x, b along y, p0, approach) of h = A x^2 + B y^2 under a force (Johnson 1985, 4.26-4.32).
 
@@ -24,13 +41,6 @@ def hertz(curvature_x, curvature_y, force, modulus):
     """
     turned = curvature_x > curvature_y
     small, large = sorted((curvature_x, curvature_y))
-
-    def sides(k2):
-        """A and B times E*/p0 times the longer semi-axis, for e^2 = k2."""
-        first, second = elliptic_integrals(k2)
-        ratio = np.sqrt(1 - k2)
-        return ratio / k2 * (first - second), ratio / k2 * (second / ratio**2 - first)
-
     if large / small < 1 + 1e-9:
         radius = (3 * force / (8 * modulus * small)) ** (1 / 3)
         pressure = 1.5 * force / (np.pi * radius**2)
@@ -38,11 +48,11 @@ def hertz(curvature_x, curvature_y, force, modulus):
     low, high = 1e-12, 1 - 1e-12
     for _ in range(200):
         k2 = (low + high) / 2
-        a_side, b_side = sides(k2)
+        a_side, b_side = _sides(k2)
         low, high = (k2, high) if b_side / a_side < large / small else (low, k2)
     ratio = np.sqrt(1 - k2)
     # A = (p0/E*) side/a and p0 = 3F/(2 pi a b), b = ratio a
-    longer = (1.5 * force / (np.pi * ratio) * sides(k2)[0] / (modulus * small)) ** (1 / 3)
+    longer = (1.5 * force / (np.pi * ratio) * _sides(k2)[0] / (modulus * small)) ** (1 / 3)
     shorter = ratio * longer
     pressure = 1.5 * force / (np.pi * longer * shorter)
     approach = pressure / modulus * shorter * elliptic_integrals(k2)[0]
@@ -72,6 +82,18 @@ def carter_force(semi_axis, pressure, friction, contact_modulus, creepage):
     return (1 - (stick / semi_axis) ** 2) * friction * np.pi * semi_axis * pressure / 2
 
 
+def carter_slip(x, semi_axis, friction, radius, creepage):
+    """Slip of the wheel over the rolling speed within the patch, 0 in the adhesion zone; `radius` is the relative one."""
+    stick = max(semi_axis - creepage * radius / friction, 0.0)
+    behind = np.minimum(x - (semi_axis - stick), 0.0)
+    return friction / radius * np.sqrt(np.maximum(behind**2 - stick**2, 0.0))
+
+
+def line_approach(force, half_width, modulus, distance):
+    """Displacement in the middle of Hertz's pressure of a line relative to the surface at `distance`, both bodies, mm."""
+    return 2 * force / (np.pi * modulus) * (np.log(2 * distance / half_width) + 0.5)
+
+
 def mindlin_traction(r, radius, pressure, friction, part):
     """Traction under a sphere pushed with `part` of mu P (Cattaneo 1938; Johnson 1985, 7.37)."""
     stick = (1 - part) ** (1 / 3) * radius
@@ -98,6 +120,20 @@ def circle_axis_stress(depth, poisson):
     z = np.asarray(depth, float)
     radial = -(1 + poisson) * (1 - z * np.arctan(1 / z)) + 0.5 / (1 + z * z)
     return radial, -1 / (1 + z * z)
+
+
+def mcewen(x, z, friction, poisson):
+    """Stresses [n, 6] (xx, yy, zz, xy, yz, xz) over p0 in the upper half-plane under p0 sqrt(1 - x^2) and `friction` times it along +x;
+    x and z > 0 over the half width (McEwen 1949; Johnson 1985, 4.2 and 7.1)."""
+    x, z = np.broadcast_arrays(np.asarray(x, float), np.asarray(z, float))
+    half = 1 - x * x + z * z
+    root = np.hypot(half, 2 * x * z)
+    m, n = np.sqrt((root + half) / 2), np.copysign(np.sqrt(np.maximum(0, (root - half) / 2)), x)
+    part = (z * z + n * n) / (m * m + n * n)
+    direct, shear = 2 * z - m * (1 + part), n * (m * m - z * z) / (m * m + n * n)
+    xx = direct + friction * (n * (2 - (z * z - m * m) / (m * m + n * n)) - 2 * x)
+    zz = -m * (1 - part) - friction * shear
+    return np.stack([xx, poisson * (xx + zz), zz, 0 * x, 0 * x, friction * direct - shear], axis=-1)
 
 
 def persson(half_angle):

@@ -19,6 +19,7 @@ CONTACT_TRACTION_A = 307.64071
 # -F_x/F_z of case c, CONTACT at 80 and 160 across: (values, values).
 CONTACT_CURVE_C = {0.001: (0.13354435, 0.13300248), 0.002: (0.24488792, 0.24396890),
                    0.004: (0.40748153, 0.40612354)}
+CONTACT_CURVE_C_40 = {0.001: 0.13514831, 0.002: 0.24755009, 0.004: 0.41046727}
 # Largest |p_x| of case c, CONTACT at 80 across.
 CONTACT_TRACTION_C = {0.001: 500.03487, 0.002: 673.20600, 0.004: 832.21751}
 # -F_x/F_z of case e with the rail's drop as extra slip: CONTACT at 40 across, first-order difference.
@@ -34,6 +35,11 @@ CONTACT_FASTSIM_A = {0.0005: (0.11435703, 104.12065), 0.001: (0.21098024, 194.06
 CONTACT_BENCHMARK_9 = {20: (10510, -7275, -1896), 40: (10400, -7201, -1592), 80: (10320, -7126, -1364),
                        120: (10290, -7103, -1289)}
 EXTRAPOLATED_BENCHMARK_9 = (10240, -7057, -1150)
+# An ellipse of 8 by 4 mm under 82 kN, mu = 0.3, eta = -6.25e-4, spin 6.25e-4 rad/mm, first-order difference on 44 by 44 elements
+# (user guide): F_y, M_z, p0, approach; elements in contact and adhesion.
+CONTACT_ELLIPSE = (-1.494e4, -4.821e4, 1223.0, 9.266e-2), (1276, 356)
+# Elements in contact and adhesion of benchmark 9.
+CONTACT_ELEMENTS_9 = {20: (316, 220), 40: (1272, 878), 80: (5048, 3521)}
 # Kalker's printed table of the linear theory (Kalker 1967; 1990 table E.3) by nu: a/b: C11, C22, C23, C33. Two public codes
 # agree on C11, C22 and C23; for C33 no second source was found.
 KALKER = {
@@ -69,6 +75,9 @@ CONTACT_STRESS_A = {0.5: (-383.311, -340.510, -573.375, 214.689), 1.0: (-276.966
                     2.0: (-137.465, -194.151, -503.644, 341.384), 3.0: (-64.6025, -132.593, -437.695, 344.171),
                     4.0: (-28.1380, -90.6904, -373.829, 319.047), 6.0: (-1.13786, -42.7999, -270.821, 251.454),
                     8.0: (5.22582, -20.2541, -199.750, 193.498), 12.0: (5.77334, -3.95558, -117.141, 118.350)}
+# Its displacement of the wheel there, mm.
+CONTACT_DISPLACEMENT_A = {0.5: 2.2868e-2, 1.0: 2.1976e-2, 2.0: 2.0064e-2, 3.0: 1.8190e-2, 4.0: 1.6481e-2, 6.0: 1.3655e-2,
+                          8.0: 1.1514e-2, 12.0: 8.6137e-3}
 # S1002 on UIC60, 100 kN, wheelset 2 mm to the right: CONTACT rev 2707 on 0.05 mm (left), and the 2012
 # thesis by program: (p0, length along x, width). None: not known.
 WHEEL_ON_RAIL = {
@@ -176,6 +185,10 @@ CONTACT_LOCOMOTIVE = {1e-5: 0.001869, 0.001: 0.1825, 0.002: 0.3495, 0.003: 0.492
 CONTACT_LOCOMOTIVE_FASTSIM = {1e-5: 0.003526, 0.001: 0.2721, 0.002: 0.4388, 0.003: 0.5477, 0.005: 0.6757, 0.007: 0.7441,
     0.010: 0.7979, 0.014: 0.8298, 0.018: 0.8420, 0.022: 0.8451, 0.030: 0.8390, 0.040: 0.8215, 0.065: 0.7654, 0.100: 0.6874,
     0.150: 0.5970, 0.200: 0.5329, 0.250: 0.4877}
+# Its ellipse by CONTACT with the first-order difference, without fall or layer: F_x/(mu F_z), elements in adhesion, by creepage.
+CONTACT_LOCOMOTIVE_COULOMB = {1e-5: (-7.015e-3, 1382), 4e-4: (-0.2588, 1182), 8e-4: (-0.4742, 976), 1.2e-3: (-0.6482, 782), 1.6e-3:
+    (-0.7831, 596), 2e-3: (-0.8816, 422), 2.4e-3: (-0.9467, 262), 2.8e-3: (-0.9832, 132), 3.2e-3: (-0.9976, 32), 3.6e-3:
+    (-0.9991, 0), 8e-3: (-0.9998, 0)}
 # The force at 1e-5 in N without and with the layer.
 CONTACT_LOCOMOTIVE_SLOPE = (247.0, 65.81)
 

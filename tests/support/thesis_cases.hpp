@@ -45,21 +45,6 @@ inline void roll_on(contact::Case& input, std::size_t steps, double length,
   input.rolling.creepages.assign(steps, creepage);
 }
 
-/// Extra slip s_x = -y^2/(2 R_rail R), s_y = 0 as values on points: the drop of the rail's surface,
-/// which CONTACT was given for case e.
-inline void give_slip_of_rail_drop(contact::Case& input) {
-  contact::Lattice values{"rail_drop.csv", 4, 4, -30.0, -30.0, 20.0, 20.0, {}};
-  values.values.assign(2, std::vector<double>(16, 0.0));
-  for (int j = 0; j < 4; ++j)
-    for (int i = 0; i < 4; ++i) {
-      const double y = values.y_first + j * values.dy;
-      values.values[0][j * 4 + i] =
-          -y * y / (2.0 * input.rail.transverse_radius * input.wheel.rolling_radius);
-    }
-  input.rolling.extra_slip = contact::ExtraSlip::file;
-  input.rolling.extra_slip_values = values;
-}
-
 inline contact::CombinedMaterial steel() {
   return contact::combine(contact::Material{}, contact::Material{});
 }

@@ -5,9 +5,11 @@
 #include "base/errors.hpp"
 #include "scene/scene.hpp"
 
+#include "support/committed_cases.hpp"
 #include "support/half_space_models.hpp"
 #include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"
 
 namespace {
@@ -150,4 +152,14 @@ TEST(CurvedHalfspace, RefusesCasesBeyondItsAssumptions) {
   PatchCase quadratic = curved(conformal('e'));
   quadratic.undeformed_distance.quadratic = {1e-3, 1e-3};
   EXPECT_THROW(run(quadratic), contact::InputError);
+}
+
+TEST(CurvedHalfspace, RefusesAGrooveThatFitsTooWell) {
+  // Half the patch is 44 degrees in a groove of 10.02 mm, where circles go on as straight flanks,
+  // which touch along their whole length.
+  contact::Case input = committed_case("conformal_groove");
+  input.rail.transverse_radius = -10.02;
+  input.contact_grid.elements_across = 8;
+  EXPECT_TRUE(
+      says(refusal<contact::SolveError>([&] { run(input); }), "straight flanks", "round_to"));
 }

@@ -9,7 +9,7 @@
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/half_space_models.hpp"
-#include "support/recorded.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -69,8 +69,6 @@ TEST(FrictionOverRail, SlidingForceIsTheIntegralOfMuAndHertzsPressure) {
       input.halfspace.surface = surface;
       set_points(input, {-0.04, 0.0, 0.04}, {0.1, 0.1, 0.5});
       const PointResult point = solved(input);
-      record("force_over_closed_form", -point.longitudinal_force / force);
-      record("moment_over_closed_form", point.spin_moment / (left ? moment : -moment));
       EXPECT_NEAR(-point.longitudinal_force / force, 1.0, 1e-3);
       // y points to the field on the left and to the middle on the right.
       EXPECT_NEAR(point.spin_moment / (left ? moment : -moment), 1.0, 5e-3);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The leading edge below the element: order of the forces, smooth tractions across rolling.
+// The leading edge below the element: smooth tractions across rolling (order of the forces: the
+// book).
 #include "contact/iteration/leading_edge.hpp"
 
 #include "contact/iteration/normal.hpp"
@@ -22,32 +23,6 @@ TangentialSolution solve(const HalfspaceCompliance& compliance, const Tangential
   const EdgeFittedRolling fitted(compliance.rolling(UpwindOrder::first), second,
                                  contact::upwind_weights(compliance.grid(), problem.pressure));
   return contact::solve_tangential(fitted, problem);
-}
-
-Forces benchmark_9(int across, Edge edge) {
-  const Benchmark9 benchmark;
-  const ContactGrid grid = benchmark.grid(across);
-  const HalfspaceCompliance compliance(grid, Benchmark9::material());
-  return rollfem::testing::forces(grid, solve(compliance, benchmark.problem(grid), edge).traction);
-}
-
-TEST(LeadingEdge, ForcesConvergeWithOrderOneAndAHalfAtLeast) {
-  std::array<Forces, 4> f{};
-  for (std::size_t level = 0; level < f.size(); ++level)
-    f[level] = benchmark_9(10 << level, Edge::fitted);
-  const auto order = [&](double Forces::*part, std::size_t level) {
-    return std::log2((f[level].*part - f[level + 1].*part) /
-                     (f[level + 1].*part - f[level + 2].*part));
-  };
-  for (const std::size_t level : {0U, 1U}) {
-    EXPECT_GT(order(&Forces::x, level), 1.5);
-    EXPECT_GT(order(&Forces::moment, level), 1.4);
-  }
-  // CONTACT, first order, from 80 and 120 across to elements of 0 (reference/benchmarks.md, 9);
-  // without a fit and with other elements it is good to some 20 N.
-  EXPECT_NEAR(f[3].x, 10230.0, 0.003 * 10230.0);
-  EXPECT_NEAR(f[3].y, -7057.0, 0.003 * 7057.0);
-  EXPECT_NEAR(f[3].moment, -1140.0, 0.05 * 1140.0);
 }
 
 /// Part of a field that alternates from row to row at x = 0, relative to its largest: rms of the

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Contact positions, angles and creepages of CONTACT (open version r2707) for the Manchester
-// benchmark, left wheel: S1002 on the benchmark's UIC60, radius 460, gauge 1435 at 14 mm,
-// flange backs 1360, rails 1:40, 10 kN, wheelset shifted to the right and yawed
-// (shared/reference/manchester_left.csv, some of its rows); and for 100 kN on a radius of 450 with
-// 2 mm shift (wheelrail_left_creep.csv, wheelrail_left_patch.csv).
+// Reference points and creepages of CONTACT (open version r2707) at given approaches (under the
+// load: the book) for the Manchester benchmark, left wheel: S1002 on the benchmark's UIC60,
+// radius 460, gauge 1435 at 14 mm, flange backs 1360, rails 1:40, 10 kN, wheelset shifted to the
+// right and yawed (shared/reference/manchester_left.csv, some of its rows); and for 100 kN on a
+// radius of 450 with 2 mm shift (wheelrail_left_creep.csv, wheelrail_left_patch.csv).
 #include "track/motion/wheelset_motion.hpp"
 
 #include <fmt/format.h>
@@ -14,37 +14,22 @@ namespace {
 
 struct Position {
   double shift, yaw;  // mm, rad
-  double y_track, angle, y_wheel, approach;
+  double y_track, angle, approach;
 };
 
 void PrintTo(const Position& of, std::ostream* stream) {
   *stream << of.shift << " mm";
 }
 
-// y_ws, yaw, ycp_tr, deltcp, -ycp_wheel (positive to the field), approach.
+// y_ws, yaw, ycp_tr, deltcp, approach.
 const Position positions[] = {
-    {0.0, 0.0, -751.8726, 0.0290, 1.8726, 1.596e-2},
-    {1.0, 2.4e-3, -755.2440, 0.0176, 6.2694, 1.946e-2},
-    {2.0, 4.8e-3, -756.5056, 0.0134, 8.5660, 2.054e-2},
-    {5.0, 12.0e-3, -757.8958, 0.0088, 13.1136, 2.232e-2},
-    {6.0, 14.4e-3, -758.0210, 0.0084, 14.3878, 2.278e-2},
-    {7.0, 16.8e-3, -758.6092, 0.0064, 18.6704, 2.412e-2},
-    {10.0, 24.0e-3, -757.0975, 0.0115, 22.5401, 2.511e-2},
+    {0.0, 0.0, -751.8726, 0.0290, 1.596e-2},      {1.0, 2.4e-3, -755.2440, 0.0176, 1.946e-2},
+    {2.0, 4.8e-3, -756.5056, 0.0134, 2.054e-2},   {5.0, 12.0e-3, -757.8958, 0.0088, 2.232e-2},
+    {6.0, 14.4e-3, -758.0210, 0.0084, 2.278e-2},  {7.0, 16.8e-3, -758.6092, 0.0064, 2.412e-2},
+    {10.0, 24.0e-3, -757.0975, 0.0115, 2.511e-2},
 };
 
 class Manchester : public ::testing::TestWithParam<Position> {};
-
-TEST_P(Manchester, ContactIsWhereContactFindsIt) {
-  const Position& row = GetParam();
-  const contact::Case input = manchester_case(row.shift, row.yaw);
-  const auto found = contacts_of(input);
-  const auto& place = found.at(0).place;
-  EXPECT_EQ(place.patches, 1);
-  EXPECT_NEAR(place.y_track, row.y_track, 0.03);
-  EXPECT_NEAR(place.contact_angle, row.angle, 1.5e-4);
-  EXPECT_NEAR(place.y_wheel, row.y_wheel, 0.05);
-  EXPECT_NEAR(found[0].approach, row.approach, 0.06 * row.approach);
-}
 
 TEST_P(Manchester, ReferencePointIsExactAtTheApproachThatContactFinds) {
   // Without the estimate of the approach, only the definition of the reference point remains.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A layer between wheel and rail that yields: CONTACT's example plastic_3bl (E. A. H. Vollebregt,
-// user guide, section 5.12; open version r2707), other elasticities, checkpoints and refusals
-// (closed forms, limits and order: the book).
+// Layers between wheel and rail that yield, and friction that falls with the slip velocity:
+// CONTACT's example plastic_3bl (E. A. H. Vollebregt, user guide, section 5.12; open version
+// r2707), elasticities that are not a half-space's, checkpoints and refusals (closed forms,
+// traction curves, memory, limits and order: the book).
 #include "base/errors.hpp"
 #include "contact/iteration/tangential.hpp"
 #include "contact/solve/point_motion.hpp"
@@ -98,11 +99,9 @@ Case wheel_on_rail(const std::vector<double>& creepages, int across) {
   return input;
 }
 
-TEST(PlasticLayer, OfCurvedBodiesHoldsTheYieldStressAtEveryElement) {
-  // Any elasticity beyond the half-space goes through the correction of its defect.
-  Case input = wheel_on_rail({0.002, 0.01}, 20);
-  input.layer = contact::Layer{0.02, 800.0, 200.0, 0.0};
-  const ModelResult half = halfspace::run_halfspace(input, {});
+/// Any elasticity beyond the half-space goes through the correction of its defect: curved bodies,
+/// whose forces are the half-space's `within` this part.
+ModelResult by_curved_bodies(const Case& input, double within) {
   halfspace::GridElasticity curved;
   curved.model = "curved";
   curved.make = [](const contact::Scene& scene, const contact::ChartedGeometry&,
@@ -110,21 +109,66 @@ TEST(PlasticLayer, OfCurvedBodiesHoldsTheYieldStressAtEveryElement) {
     return std::make_unique<halfspace::PreconditionedElasticity>(
         scene, grid, std::make_unique<halfspace::CurvedCompliance>(scene, grid));
   };
+  const ModelResult half = halfspace::run_halfspace(input, {});
   const ModelResult result = halfspace::run_halfspace(input, {}, nullptr, curved);
-  for (std::size_t k = 0; k < 2; ++k) {
-    const PointResult& point = result.points[k];
-    EXPECT_NEAR(point.longitudinal_force / half.points[k].longitudinal_force, 1.0, 0.02);
-    int yielding = 0;
+  for (std::size_t k = 0; k < half.points.size(); ++k)
+    EXPECT_NEAR(result.points[k].longitudinal_force / half.points[k].longitudinal_force, 1.0,
+                within);
+  return result;
+}
+
+/// Calls check(element, size of the traction) for the elements in a state.
+template <class Check>
+void expect_of_state(const ModelResult& result, ElementState state, const Check& check) {
+  for (const PointResult& point : result.points) {
+    const contact::ContactFields& f = point.fields;
+    int count = 0;
     for (int e = 0; e < result.grid.size(); ++e) {
-      const contact::ContactFields& f = point.fields;
-      const double size = std::hypot(f.traction.x[e], f.traction.y[e]);
-      EXPECT_LE(size, std::min(200.0, 0.4 * f.traction.n[e]) * (1.0 + 1e-6));
-      if (f.state[static_cast<std::size_t>(e)] != ElementState::plastic) continue;
-      ++yielding;
-      EXPECT_NEAR(size, 200.0, 1e-4);
+      if (f.state[static_cast<std::size_t>(e)] != state) continue;
+      ++count;
+      check(f, e, std::hypot(f.traction.x[e], f.traction.y[e]));
     }
-    EXPECT_GT(yielding, 20);
+    EXPECT_GT(count, 20);
   }
+}
+
+TEST(PlasticLayer, OfCurvedBodiesHoldsTheYieldStressAtEveryElement) {
+  Case input = wheel_on_rail({0.002, 0.01}, 20);
+  input.layer = contact::Layer{0.02, 800.0, 200.0, 0.0};
+  const ModelResult result = by_curved_bodies(input, 0.02);
+  expect_of_state(result, ElementState::plastic,
+                  [](const auto&, int, double size) { EXPECT_NEAR(size, 200.0, 1e-4); });
+  for (const PointResult& point : result.points)
+    for (int e = 0; e < result.grid.size(); ++e)
+      EXPECT_LE(std::hypot(point.fields.traction.x[e], point.fields.traction.y[e]),
+                std::min(200.0, 0.4 * point.fields.traction.n[e]) * (1.0 + 1e-6));
+}
+
+/// 106.7 kN at 10 m/s on friction that falls.
+Case locomotive(const std::vector<double>& creepages) {
+  Case input = wheel_on_rail(creepages, 20);
+  input.load.normal_force = 106.7e3;
+  input.wheel.material = input.rail.material = {209920.0, 0.28};
+  input.wheel.rolling_radius = 625.0;
+  input.rail.transverse_radius = 1776.8;
+  input.friction_coefficient = 0.33;
+  input.rolling.speed = 10e3;
+  input.friction_fall.shape = contact::FallShape::exponential;
+  input.friction_fall.kinetic_coefficient = 0.14;
+  input.friction_fall.half_velocity = 1250.0;
+  return input;
+}
+
+TEST(FallingFriction, OfCurvedBodiesHoldsTheLawAtEveryElement) {
+  Case input = locomotive({0.004, 0.03});
+  input.layer = contact::Layer{1.25, 8200.0};
+  // A shortened wheel shifts the creep curve by some 1e-5 of creepage.
+  expect_of_state(by_curved_bodies(input, 0.01), ElementState::slip,
+                  [](const contact::ContactFields& f, int e, double size) {
+                    const double s = 10e3 * std::hypot(f.slip.x[e], f.slip.y[e]);
+                    const double bound = (0.14 + 0.19 * std::exp2(-s / 1250.0)) * f.traction.n[e];
+                    EXPECT_NEAR(size, bound, 1e-3 * bound);
+                  });
 }
 
 TEST(PlasticLayer, IsKeptInCheckpoints) {
@@ -151,14 +195,18 @@ TEST(PlasticLayer, TransmitsNoMoreThanItsYieldStress) {
   EXPECT_TRUE(says(message, "the most that a layer with a yield stress of 60 MPa"));
 }
 
-TEST(PlasticLayer, IsRefusedByTheoriesWithoutIt) {
-  Case input = wheel_on_rail({0.001}, 20);
-  input.layer = contact::Layer{};
-  input.layer->yield_stress = 200.0;
-  for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip"})
-    EXPECT_THROW(rollfem::testing::half_space_models().check(contact::Scene(input), name),
-                 contact::InputError);
-  rollfem::testing::half_space_models().check(contact::Scene(input), "halfspace");
+TEST(PlasticLayer, AndFallingFrictionAreRefusedByTheoriesWithoutThem) {
+  const auto& models = rollfem::testing::half_space_models();
+  Case yielding = wheel_on_rail({0.001}, 20), falling = locomotive({0.002}), layered = yielding;
+  yielding.layer = contact::Layer{};
+  yielding.layer->yield_stress = 200.0;
+  falling.friction_fall.memory_distance = 3e-3;
+  layered.layer = contact::Layer{1.25, 8200.0};
+  for (const char* name : {"linear", "vermeulen-johnson", "carter", "strip", "fastrip"})
+    for (const Case& input : {yielding, falling, layered})
+      EXPECT_THROW(models.check(contact::Scene(input), name), contact::InputError) << name;
+  EXPECT_THROW(models.check(contact::Scene(yielding), "fastsim"), contact::InputError);
+  models.check(contact::Scene(yielding), "halfspace");
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 
-#include "support/recorded.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -127,9 +127,6 @@ TEST(SeveralStates, RollersHaveTheThreeOfContact) {
   EXPECT_EQ(rollers.states(), 2);  // that one, and another that stays
   const contact::TangentialSolution above = rollers.from_above(steady, -0.001);
   EXPECT_NEAR(rollers.force(above.traction) / sliding_force, 0.5702, within);
-  record("steady_force", rollers.force(steady.tangential.traction));
-  record("force_from_below", rollers.force(below.tangential.traction));
-  record("force_from_above", rollers.force(above.traction));
   // The steady state is a third one of the step: between two that stay lies one that does not.
   EXPECT_LT(*below.tangential.feedback, 1.0);
   EXPECT_LT(*above.feedback, 1.0);

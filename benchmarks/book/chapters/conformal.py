@@ -33,12 +33,29 @@ def _contact_rows(bench, cost):
         point = model.points[0]
         for words, unit, key, value, allowed in (
                 ("p0", "MPa", "max_pressure", "p0", 2e-3), ("approach", "mm", "approach", "approach", 1e-3),
-                ("creepage of free rolling", "", "longitudinal_creepage", "creepage", 4e-3)):
+                ("creepage of free rolling", "", "longitudinal_creepage", "creepage", 4e-3 if radius < 10.1 else 3e-3)):
             if value in printed:
                 rows.append(Row(f"groove of {radius} mm, mu = 0.3, F_x = 0: {words}", unit, printed[value], point[key],
                                 allowed, by="half-space, curved"))
+        rows.append(Row(f"groove of {radius} mm, mu = 0.3, F_x = 0: force", "N", FORCE, point["normal_force"], 1e-6, by="half-space, curved"))
+        # Spin about normals that lean makes lateral friction, which carries 1.6 % of the load at 10.25 mm and 2.6 % at 10.10 mm.
+        if radius >= 10.1:
+            assert _groove(bench, radius, ["hertz", "halfspace"])["halfspace"].points[0]["max_pressure"] > 1.004 * point["max_pressure"]
         cost.append(Cost(f"groove of {radius} mm, half-space, F_x = 0", model.seconds["total"], model.unknowns))
     return rows
+
+
+def _corner_rows(bench):
+    """The program's distance is closed along z, CONTACT's grows as x^2 along the normal: 0.8 % in force, 0.5 % in p0."""
+    model = bench.run("conformal_corner", CORNER, ["halfspace"])["halfspace"]
+    point = model.points[0]
+    total = point.fields["pressure"].sum() * model.dx * model.dy
+    words = "corner, given approach: "
+    return [Row(f"{words}{what}", unit, value, reached, allowed, by="half-space, curved, against CONTACT")
+            for what, unit, value, reached, allowed in (
+                ("sum of pressure", "kN", 91.84, 1e-3 * total, 0.012), ("F_z", "kN", 89.25, 1e-3 * point["normal_force"], 0.012),
+                ("F_z over the sum of pressure", "", 89.25 / 91.84, point["normal_force"] / total, 2e-3 * 91.84 / 89.25),
+                ("p0", "MPa", 1012.0, point["max_pressure"], 8e-3))]
 
 
 def _step_rows():
@@ -144,7 +161,7 @@ def conformal_contact(bench):
     cost = []
     rows = _contact_rows(bench, cost)
     steps, part = _step_rows()
-    rows += steps + _truth_rows() + _calculix_rows()
+    rows += _corner_rows(bench) + steps + _truth_rows() + _calculix_rows()
     table, sweep = _groove_table(bench, cost)
     return Chapter(
         "conformal-contact", "Conformal contact: grooves and corners",
@@ -161,8 +178,6 @@ def conformal_contact(bench):
         figures=[(_figure(bench, sweep), "Hertz and the curved half-space minus the hybrid in the grooves at 10 kN; "
                                          "grey: 1 %")],
         cost=cost,
-        tests=["verification.DeepGroove.RollsFreelyAsInContact", "verification.CornerInARoot.SumOfPressureIsNotTheForce",
-               "verification.HybridInAGroove.HasThePressureOfDirectionsTurned",
-               "verification.DeepGroove.OfHalfAPatchOf44DegreesNeedsRounderBodies",
+        tests=["verification.HybridInAGroove.HasThePressureOfDirectionsTurned",
                "verification.HybridInAGroove.IsRoundAsFarAsTheCaseSays"],
         after=records.VERDICT.format(part=number(100 * part, 2)))

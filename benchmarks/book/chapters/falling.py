@@ -2,9 +2,10 @@
 """Friction that falls with the slip velocity, its memory, and an elastic layer between the bodies."""
 import numpy as np
 from matplotlib import pyplot as plt
+from rollfem.point import ADHESION
 
 from .. import closed_forms, published
-from ..chapter import Chapter, Cost, Row
+from ..chapter import Chapter, Cost, Row, closest, printed
 
 FORCE, MODULUS, SPEED = 106.7e3, 82e3 / 0.72, 10e3  # N, E* in MPa, mm/s
 _CASE = """[load]
@@ -65,6 +66,17 @@ def _forces(model):
 def _farthest(words, curve, reached, allowed, by, **scale):
     xi = max(curve, key=lambda at: abs(reached[at] - curve[at]) / (1 if scale else curve[at]))
     return Row(f"{words}: farthest, at {100 * xi:g} %", "", curve[xi], reached[xi], allowed, by=by, **scale)
+
+
+def _coulomb_rows(bench):
+    """CONTACT's curve without fall or layer, digit by digit."""
+    curve = published.CONTACT_LOCOMOTIVE_COULOMB
+    points = _run(bench, "digits", curve, rolling='upwind_order = "first"').points
+    adhering = [np.sum(point.fields["state"] == ADHESION) for point in points]
+    assert adhering == [elements for _, elements in curve.values()], adhering
+    forces = [printed(f"F_x/(mu F_z) without fall or layer, at {100 * xi:g} %", "", force, point["longitudinal_force"] / (0.33 * FORCE))
+              for point, (xi, (force, _)) in zip(points, curve.items())]
+    return [closest(forces), closest([printed("p0", "MPa", 640.7, point["max_pressure"]) for point in points])]
 
 
 def _law_rows(bench):
@@ -154,7 +166,7 @@ def falling_friction(bench):
         "sliding; closed forms of layers much softer than the bodies; CONTACT's modified FASTSIM (flexibilities of Kalker's printed "
         "table) for the reduced slope.",
         [_farthest("-F_x/(mu F_z) with layer and memory", curve, reached, 3e-3, "half-space, against CONTACT"),
-         *_law_rows(bench), *_layer_rows(bench), *_fastsim_rows(bench)],
+         *_coulomb_rows(bench), *_law_rows(bench), *_layer_rows(bench), *_fastsim_rows(bench)],
         figures=[(bench.save(figure, "falling_friction"), "Traction curve with layer and memory")],
         cost=[Cost("the curve of 30 load points", model.seconds["total"], model.unknowns)],
         tests=["verification.FallingFriction.OfCurvedBodiesHoldsTheLawAtEveryElement", "unit.FrictionState.MemoryIsOfSecondOrderAlongTheRow"])

@@ -6,7 +6,7 @@ from matplotlib import pyplot as plt
 from .. import closed_forms, layered_cylinders, published, style
 from ..chapter import Chapter, Cost, Row, Table
 from ..page import number, percent
-from .rolling import LARGEST, LOAD, ROLLERS, STEEL
+from .carter import LARGEST, LOAD, ROLLERS, STEEL
 
 FRICTION, RADIUS, WIDTH = 0.46, 23.5, 10.0  # mm; of cases/twin_disc.toml
 MODULUS = 210e3 / (2 * (1 - 0.3**2))

@@ -7,7 +7,7 @@ import os
 from matplotlib import pyplot as plt
 
 from .. import published, style
-from ..chapter import Chapter, Cost, Row, Table
+from ..chapter import Chapter, Cost, Row, Table, closest
 from ..page import number
 
 
@@ -158,8 +158,8 @@ def _vertical_row():
 
 
 def _column_rows(name, side, positions):
-    """One row: the position of a wheel that is nearest to its tolerance, or farthest beyond."""
-    unit, worst = _HELD[name][0], None
+    """One row for all positions of a wheel."""
+    rows = []
     for shift, mine in positions.items():
         reference = _references(side, shift).get(name)
         # Two patches share the right wheel's load at 5 mm: 0.02 mm of shift would change these columns by their
@@ -171,11 +171,9 @@ def _column_rows(name, side, positions):
         if name in ("xi", "eta") and abs(reference) < 1e-3:
             scale, allowed = 1.0, 2e-5
         words = _ABSOLUTE.get(name) or ("1" if scale == 1.0 else "")
-        row = Row(f"{_WORDS.get(name, name)}, at {shift:g} mm", unit, reference, mine[name], allowed,
-                  of=scale, of_words=words, by=f"{side} wheel")
-        if worst is None or abs(row.difference) / allowed > abs(worst.difference) / worst.allowed:
-            worst = row
-    return worst
+        rows.append(Row(f"{_WORDS.get(name, name)}, at {shift:g} mm", _HELD[name][0], reference, mine[name], allowed,
+                        of=scale, of_words=words, by=f"{side} wheel"))
+    return closest(rows)
 
 
 def _shift_of_contacts_xi(bench, at_five):
@@ -237,6 +235,7 @@ def manchester(bench):
     for model in (*result.models, *between.models):
         shift = round(model.place["lateral_shift"], 1)
         places[model.place["wheel"]][shift] = _position(model)
+        assert model.place["patches"] == 1
         if (model.place["wheel"], shift) == ("right", 5):
             patches = model.points[0]["patch_count"]
     rows = [_vertical_row(), Row("patches, at 5 mm", "", 2, patches, 1e-9, by="right wheel")]
