@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One driver for every elasticity: with the half-space's compliance in the iteration used by finite
-// elements, every problem gives the half-space's numbers, so that differences between two models
-// come from elasticity only.
+// One driver for every elasticity: every problem gives the half-space's numbers with its compliance
+// in the iteration used by finite elements, and those of the curved half-space by the hybrid
+// without a correction, so that differences between two models come from elasticity only.
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "hybrid/hybrid_model.hpp"
+#include "track/motion/placed_scenes.hpp"
 
-#include "support/test.hpp"
-#include "support/thesis_cases.hpp"
+#include "support/committed_cases.hpp"
 
 namespace {
+
+Case on_16_across(const std::string& name) {
+  Case input = committed_case(name);
+  input.contact_grid.cell_size.reset();
+  input.contact_grid.extent.reset();
+  input.contact_grid.elements_across = 16;
+  return input;
+}
 
 /// The half-space as if it could not be solved with: an unknown compliance, preconditioned by the
 /// half-space of other constants, as finite elements are.
@@ -56,9 +65,9 @@ contact::LevelResult run(const Scene& scene, const contact::ContactGrid& grid, d
   return run.take_result();
 }
 
-/// With the half-space itself as its preconditioner to rounding; with another one to the tolerance
-/// of the outer iteration: the fit to the leading edge is that of the whole displacement.
-void expect_alike(const Case& input) {
+/// The half-space disguised: with itself as its preconditioner to rounding, with another one to the
+/// tolerance of the outer iteration: the fit to the leading edge is that of the whole displacement.
+void expect_disguised_alike(const Case& input) {
   const Scene scene(input);
   for (const auto& [scale, tolerance] : {std::pair{1.0, 1e-7}, {1.1, 1e-6}}) {
     SCOPED_TRACE(scale);
@@ -78,26 +87,108 @@ void expect_alike(const Case& input) {
   }
 }
 
-Case small_case() {
+contact::ModelResult hybrid_of(const contact::Scene& scene, const hybrid::SmoothParts& parts) {
+  return hybrid::run_hybrid(scene, {}, nullptr,
+                            [&](const contact::Scene&, const contact::Progress&) { return parts; });
+}
+
+/// The hybrid without a correction is the half-space on the curved surface.
+void expect_hybrid_alike(contact::Scene scene) {
+  const auto hybrid = hybrid_of(scene, {});
+  scene.follows_surface = 1.0;
+  const auto half = halfspace::run_halfspace(scene, {});
+  ASSERT_EQ(hybrid.points.size(), half.points.size());
+  for (std::size_t k = 0; k < half.points.size(); ++k) {
+    SCOPED_TRACE(k);
+    const PointResult &one = hybrid.points[k], &other = half.points[k];
+    const double force = other.normal_force;
+    EXPECT_NEAR(one.max_pressure, other.max_pressure, 1e-5 * other.max_pressure);
+    EXPECT_NEAR(one.normal_force, force, 1e-5 * force);
+    EXPECT_NEAR(one.longitudinal_force, other.longitudinal_force, 1e-5 * force);
+    EXPECT_NEAR(one.lateral_force, other.lateral_force, 1e-5 * force);
+    EXPECT_NEAR(one.creepage.longitudinal, other.creepage.longitudinal, 1e-8);
+    // Values that are exact or given in one model are so in the other.
+    EXPECT_EQ(one.error_estimate.size(), other.error_estimate.size());
+  }
+}
+
+/// A kind of problem, posed to any bodies.
+struct ProblemKind {
+  const char* name;
+  void (*pose)(Case& input);
+};
+
+void PrintTo(const ProblemKind& kind, std::ostream* stream) {
+  *stream << kind.name;
+}
+
+void shift(Case& input) {
+  input.rolling.problem = Problem::shift;
+  input.rolling.creepages.assign(3, {});
+  for (const double way : {2e-3, -1e-3, 6e-3}) {
+    contact::HistoryStep& step = input.history.emplace_back();
+    step.longitudinal_shift = way;
+    step.lateral_shift = 0.3 * way;
+  }
+}
+
+const ProblemKind problems[] = {
+    {"SteadyRolling",
+     [](Case& input) {
+       input.rolling.creepages = {{1e-3, 0.0, 0.0}, {1e-3, 5e-4, 1e-4}};
+     }},
+    {"PrescribedForces",
+     [](Case& input) {
+       input.rolling.creepages = {{}, {0.0, 0.0, 1e-4}};
+       input.rolling.forces = {{-12e3, {}}, {-9e3, 6e3}};
+     }},
+    {"ApproachInPlaceOfTheForce",
+     [](Case& input) {
+       input.load = {};
+       input.load.approach = 0.04;
+       input.rolling.creepages = {{2e-3, 0.0, 0.0}};
+     }},
+    {"Shift", shift},
+    {"LoadHistory",
+     [](Case& input) {
+       shift(input);
+       for (std::size_t k = 0; k < 3; ++k)
+         input.history[k].normal_force = 20e3 + 10e3 * static_cast<double>(k);
+     }},
+    {"TransientRolling",
+     [](Case& input) {
+       roll_on(input, 3, 1.0, {1e-3, 5e-4, 0.0});
+     }},
+    {"SteadyStart",
+     [](Case& input) {
+       roll_on(input, 3, 1.0, {1e-3, 5e-4, 0.0});
+       input.starts_steady = true;
+       input.rolling.creepages[2].longitudinal = 0.0;
+     }},
+    {"ALayerThatYields", [](Case& input) {
+       input.rolling.creepages = {{0.002, 0.0, 0.0}, {0.004, 0.002, 1e-4}};
+       input.layer = contact::Layer{0.02, 800.0, 100.0, 500.0};
+     }}};
+
+class OneDriver : public ::testing::TestWithParam<ProblemKind> {};
+
+TEST_P(OneDriver, GivesTheHalfSpacesNumbers) {
+  Case plane = thesis_case('b', 16);
+  GetParam().pose(plane);
+  expect_disguised_alike(plane);
+}
+
+TEST_P(OneDriver, GivesTheNumbersOfTheCurvedHalfSpaceToTheHybrid) {
+  Case curved = on_16_across("thesis_e");
+  GetParam().pose(curved);
+  expect_hybrid_alike(curved);
+}
+
+INSTANTIATE_TEST_SUITE_P(Problems, OneDriver, ::testing::ValuesIn(problems),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(OneDriverOf, APrescribedForceCostsAsManyAppliesAsItsCreepage) {
   Case input = thesis_case('b', 16);
-  return input;
-}
-
-TEST(OneDriver, SteadyRolling) {
-  Case input = small_case();
-  input.rolling.creepages = {{1e-3, 0.0, 0.0}, {1e-3, 5e-4, 1e-4}};
-  expect_alike(input);
-}
-
-TEST(OneDriver, PrescribedForces) {
-  Case input = small_case();
-  input.rolling.creepages = {{}, {0.0, 0.0, 1e-4}};
-  input.rolling.forces = {{-12e3, {}}, {-9e3, 6e3}};
-  expect_alike(input);
-}
-
-TEST(OneDriver, APrescribedForceCostsAsManyAppliesAsItsCreepage) {
-  Case input = small_case();
   input.rolling.creepages = {{}, {0.0, 0.0, 1e-4}, {}};
   input.rolling.forces = {{-12e3, {}}, {-9e3, 6e3}, {-26e3, {}}};
   const contact::ContactGrid grid = halfspace::PatchSearch(input).grid();
@@ -114,46 +205,56 @@ TEST(OneDriver, APrescribedForceCostsAsManyAppliesAsItsCreepage) {
   }
 }
 
-TEST(OneDriver, ApproachInPlaceOfTheForce) {
-  Case input = small_case();
-  input.load.normal_force.reset();
-  input.load.approach = 0.04;
-  input.rolling.creepages = {{2e-3, 0.0, 0.0}};
-  expect_alike(input);
-}
-
-TEST(OneDriver, ShiftAndTransientSteps) {
-  Case input = small_case();
-  input.rolling.problem = Problem::shift;
-  input.rolling.creepages.assign(2, {});
-  input.history.assign(2, {});
-  input.history[0].longitudinal_shift = 2e-3;
-  input.history[1].longitudinal_shift = -1e-3;
-  expect_alike(input);
-  roll_on(input, 3, 1.0, {1e-3, 5e-4, 0.0});
-  expect_alike(input);
-  input.starts_steady = true;
-  input.rolling.creepages[2].longitudinal = 0.0;
-  expect_alike(input);
-}
-
-TEST(OneDriver, AGivenPressure) {
-  Case input = small_case();
+TEST(OneDriverOf, AGivenPressure) {
+  Case input = thesis_case('b', 16);
   input.given_pressure = contact::GivenPressure{5.0, 4.0, 800.0};
   input.rolling.creepages = {{1e-3, 0.0, 1e-4}};
-  expect_alike(input);
+  expect_disguised_alike(input);
 }
 
-TEST(OneDriver, CurvedSurfaceCarriesTheLoadWithFriction) {
+TEST(OneDriverOf, ACurvedSurfaceCarriesTheLoadWithFriction) {
   Case input = thesis_case('b', 16);
   input.rail.transverse_radius = 50.0;
   input.wheel.transverse_radius = -51.282;
   input.halfspace.surface = contact::SurfaceForm::curved;
   input.rolling.creepages = {{1e-3, 2e-3, 0.0}, {}};
   input.rolling.forces = {{}, {-8e3, -8e3}};
-  expect_alike(input);
+  expect_disguised_alike(input);
   for (const PointResult& point : halfspace::run_halfspace(input, {}).points)
     EXPECT_NEAR(point.normal_force, 50e3, 1e-6 * 50e3);
+}
+
+TEST(OneDriverOf, PatchesOfProfilesInBalance) {
+  for (const char* name : {"s1002_uic60_left", "s1002_uic60_right"}) {
+    Case input = on_16_across(name);
+    input.rolling.creepages.resize(1);
+    for (const track::PlacedScene& placed : track::make_scenes(input))
+      expect_hybrid_alike(placed.scene);
+  }
+}
+
+TEST(HybridDriver, AccuracyIsReached) {
+  Case input = on_16_across("thesis_f");
+  input.rolling.creepages.resize(1);
+  input.accuracy = 0.002;
+  input.accuracy_of = {"max_pressure"};
+  const auto point = hybrid_of(input, {}).points.front();
+  EXPECT_LE(point.error_estimate.at("max_pressure"), 0.002 * point.max_pressure);
+}
+
+TEST(HybridDriver, ASpringBelowTheRailSinks) {
+  Case input = on_16_across("thesis_a");
+  input.rolling.creepages.resize(1);
+  // Constant displacement along the normal, mm per N of the normal force.
+  const double softness = 1e-6;
+  hybrid::SmoothParts springs;
+  springs.rail.fields = {50.0, 50.0, 0.0};
+  springs.rail.coefficients = Eigen::MatrixXd::Zero(3, 3);
+  springs.rail.coefficients(2, 2) = softness;
+  const auto with = hybrid_of(input, springs).points.front();
+  const auto without = hybrid_of(input, {}).points.front();
+  EXPECT_NEAR(with.approach - without.approach, softness * 50e3, 1e-4 * without.approach);
+  EXPECT_NEAR(with.max_pressure, without.max_pressure, 1e-5 * without.max_pressure);
 }
 
 }  // namespace
