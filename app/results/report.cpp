@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `report`: figures and page of a stored result.
+#include "result/write/report.hpp"
+
 #include "app/frame/commands.hpp"
 #include "base/errors.hpp"
 #include "models/program/provenance.hpp"
-#include "result/write/report.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,8 @@ void draw_report(const std::string& directory) {
         fmt::format("report: {} holds no result; do: name a folder that rollfem run, compare, "
                     "study or table wrote",
                     directory));
-  const std::string problem = result::make_report(directory, modelling::script_directory().string());
+  const std::string problem =
+      result::make_report(directory, modelling::script_directory().string());
   if (!problem.empty()) throw contact::InputError("report: " + problem);
 }
 

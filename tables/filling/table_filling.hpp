@@ -4,8 +4,8 @@
 
 #include "base/checkpoint.hpp"
 #include "base/progress.hpp"
-#include "contact/solve/run_part.hpp"
 #include "case/case.hpp"
+#include "contact/solve/run_part.hpp"
 #include "tables/files/creep_table.hpp"
 
 namespace rollfem::tables {

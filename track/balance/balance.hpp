@@ -7,8 +7,8 @@
 
 #include "base/checkpoint.hpp"
 #include "base/progress.hpp"
-#include "contact/solve/run_part.hpp"
 #include "case/case.hpp"
+#include "contact/solve/run_part.hpp"
 #include "result/result.hpp"
 #include "scene/scene.hpp"
 #include "track/motion/placed_scenes.hpp"
