@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from program import SMALL, SOURCE, package, says
 from resuming import killed, records
+from test_filled_tables import RIM
 
 QUICK = SMALL | {"table.points": [4, 3, 5], "table.largest": [2.0, 2.0, 2.0], "table.check_points": 10}
 
@@ -51,8 +52,10 @@ def test_names_the_axis_whose_refinement_helps(rollfem):
     says(error_and_text(rollfem, [2, 6, 9])[1], "refine xi' first")
 
 
-def test_an_ended_call_is_taken_up_and_is_the_same(rollfem):
-    file = rollfem.case(SMALL | {"table.axis_ratio": [0.5, 2.0], "table.points": [5, 4, 5], "table.check_points": 20})
+@pytest.mark.parametrize("keys", [
+    SMALL | {"table.axis_ratio": [0.5, 2.0], "table.points": [5, 4, 5], "table.check_points": 20}, RIM])
+def test_an_ended_call_is_taken_up_and_is_the_same(rollfem, keys):
+    file = rollfem.case(keys)
     table = "table", file, "--no-report", "-o"
     unfinished = rollfem.work / "out.unfinished"
     killed(rollfem, lambda: records(unfinished) >= 3, *table, "out")

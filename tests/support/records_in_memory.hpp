@@ -5,7 +5,6 @@
 #include "base/checkpoint.hpp"
 
 #include "support/test.hpp"
-#include <iterator>
 
 namespace rollfem::testing {
 
@@ -18,12 +17,6 @@ class RecordsInMemory : public contact::Checkpoint {
   void keep(const std::string& name, const std::string& record) override { records[name] = record; }
 
   void refuse(const std::string& /*name*/) override { ++refused; }
-
-  void forget_every_second() {
-    int n = 0;
-    for (auto record = records.begin(); record != records.end();)
-      record = ++n % 2 == 0 ? records.erase(record) : std::next(record);
-  }
 
   std::map<std::string, std::string> records;
   int refused = 0;

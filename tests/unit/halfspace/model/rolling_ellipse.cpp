@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // An ellipse rolling at many creepages: each result equals a single solution (small creepage and
-// full sliding: TableFilling).
+// full sliding: cli.filled_tables).
 #include "halfspace/model/rolling_ellipse.hpp"
 
 #include "base/errors.hpp"
