@@ -148,7 +148,140 @@ def test_large_creepages_of_polach_slide_under_the_friction_that_is_left():
     assert np.hypot(*forces(polach((0.3, 0.4, 0.0), falling))) / sliding == pytest.approx(0.6 * math.exp(-0.5) + 0.4, abs=1e-3)
 
 
+# FASTSIM.
+CREEPAGES = "longitudinal_creepage", "lateral_creepage", "spin"
+
+
+def creeping(model, radius, *creepages, across=40, **more):
+    """Load points of the thesis's wheel on a rail of this radius, with creepages, lateral creepages and spins."""
+    given = {f"rolling.{name}": list(values) for name, values in zip(CREEPAGES, zip(*creepages)) if any(values)}
+    return solved(SMALL | {"rail.transverse_radius": radius, "contact_grid.elements_across": across} | given
+                  | {f"{model}.{name}": value for name, value in more.items()}, model=model)
+
+
+def fine(count):
+    return {"strips": count, "strip_elements": count}
+
+
+@pytest.mark.parametrize("bound, creepage, quantity, least", [
+    ("parabolic", (1e-3, 0, 0), "longitudinal_force", 1.8), ("elliptic", (1e-3, 0, 0), "longitudinal_force", 1.2),
+    ("parabolic", (0, 0, 5e-4), "lateral_force", 0.85)])
+def test_order_of_convergence_of_fastsim(bound, creepage, quantity, least):
+    """Over two doublings: the edge of the slip area moves by whole elements and makes single ones uneven."""
+    coarse, finer, exact = (creeping("fastsim", 500.0, creepage, bound=bound, **fine(n)).points[0][quantity] for n in (50, 200, 1600))
+    assert math.log2(abs(coarse - exact) / abs(finer - exact)) / 2 > least
+
+
+def test_one_flexibility_of_fastsim_is_the_same_for_one_creepage():
+    alone = (1e-3, 0, 0), (0, 1e-3, 0), (0, 0, 2e-4), (1e-3, 1e-3, 0)
+    three, one = (np.array([forces(point) for point in creeping("fastsim", 500.0, *alone, flexibilities=count).points])
+                  for count in ("three", "one"))
+    assert one[:3] == pytest.approx(three[:3], abs=1e-6) and abs(one[3, 1] - three[3, 1]) > 1.0
+
+
+def test_fastsim_is_mirrored_with_the_scene():
+    here, there = creeping("fastsim", 500.0, (1e-3, 5e-4, 1e-4), (1e-3, -5e-4, -1e-4)).points
+    assert forces(there) == pytest.approx(forces(here) * [1, -1], rel=1e-8)
+    assert there.spin_moment == pytest.approx(-here.spin_moment, rel=1e-7)
+
+
+def test_bars_of_fastsim_cover_the_error_of_resolution():
+    creepages = (1e-3, 0, 0), (1e-3, 5e-4, 1e-4), (0, 0, 5e-4)
+    for point, exact in zip(creeping("fastsim", 500.0, *creepages).points, creeping("fastsim", 500.0, *creepages, **fine(1600)).points):
+        for name in "longitudinal_force", "lateral_force":
+            assert abs(exact[name]) < 1.0 or abs(point[name] - exact[name]) < 1.5 * point.error_estimate[name]
+
+
+@pytest.mark.parametrize("radius", [0.5, 3e5])
+@pytest.mark.parametrize("friction", [1e-4, 500.0])
+@pytest.mark.parametrize("force", [1.0, 1e7])
+def test_fastsim_holds_from_narrow_to_wide_patches_and_from_little_to_much_friction(radius, friction, force):
+    keys = SMALL | {"rail.transverse_radius": radius, "friction.coefficient": friction, "load.normal_force": force,
+                    "rolling.longitudinal_creepage": [1e-12, 1.0], "rolling.lateral_creepage": [2e-12, 0.0]}
+    small, large = solved(keys, model="fastsim").points
+    assert abs(math.log(small.semi_axis_x / small.semi_axis_y)) > math.log(50)
+    assert forces(small) == pytest.approx(forces(solved(keys, model="linear").points[0]), rel=1e-3)
+    if friction < 1:  # the largest creepage of a case is not full sliding under much friction
+        assert -large.longitudinal_force / (friction * force) == pytest.approx(1.0, abs=1e-4)
+
+
+# Strips.
+@pytest.mark.parametrize("radius", [300.0, 80.0, 30.0, 13.0])
+@pytest.mark.parametrize("load", [{"load.approach": 0.0181818}, {"load.normal_force": 5e3}])
+def test_virtual_penetration_of_radii_needs_no_profiles(radius, load):
+    """Radii: an ellipse of Hertz's ratio as wide as the undeformed overlap, whose pressure gives the approach at its middle; on
+    patches up to six times as long as wide too."""
+    bodies = {"friction.coefficient": 0.3, "wheel.rolling_radius": 460.0, "wheel.transverse_radius": math.inf,
+              "rail.transverse_radius": radius}
+    result = solved(bodies | load | {"strip.virtual_penetration": 0.55}, model="strip")
+    point, unit = result.points[0], solved(bodies | {"load.normal_force": 1.0}, model="hertz").points[0]
+    b = math.sqrt(0.55 * point.approach * 2.0 * radius)
+    scale = b / unit.semi_axis_y
+    pressure = unit.max_pressure * point.approach / (unit.approach * scale)
+    assert point.semi_axis_y == pytest.approx(b, rel=2e-3)
+    assert point.semi_axis_x == pytest.approx(scale * unit.semi_axis_x, rel=1e-2)
+    assert point.max_pressure == pytest.approx(pressure, rel=1e-2)
+    assert point.normal_force == pytest.approx(2 / 3 * math.pi * point.semi_axis_x * point.semi_axis_y * pressure, rel=1e-2)
+    assert result.x.size * result.dx > point.contact_length and result.y.size * result.dy > point.contact_width
+
+
+def test_strips_on_an_ellipse_are_vermeulen_johnson():
+    """A strip with a parabola of force mu P(y) slips over the same share of every strip, and the sum is 1 - (1 - tau/3)^3:
+    Vermeulen and Johnson's law, for any creepage without spin."""
+    creepages = (1e-4, 0, 0), (1e-3, 0, 0), (0, 3e-3, 0), (0.02, 0, 0)
+    strip, closed = (creeping(model, 2000.0, *creepages).points for model in ("strip", "vermeulen-johnson"))
+    for here, there in zip(strip, closed):
+        assert forces(here) == pytest.approx(forces(there), abs=3e-4 * 27500)
+    assert strip[3].max_traction == pytest.approx(3 * math.pi / 8 * 0.55 * strip[3].max_pressure, rel=1e-3)
+
+
+def test_strips_run_for_a_given_approach():
+    approach = SMALL | {"load.normal_force": None, "load.approach": 0.0473108}
+    assert solved(approach, model="strip").points[0].normal_force == pytest.approx(50e3, abs=50.0)
+
+
+# Shen, Hedrick and Elkins.
+@pytest.mark.parametrize("creepage", [(1e-3, 5e-4, 1e-4), (0, 0, 3e-4)])
+def test_vermeulen_johnson_is_the_cubic_of_the_linear_force_with_spin(creepage):
+    linear, cubic = (forces(creeping(model, 500.0, creepage).points[0]) for model in ("linear", "vermeulen-johnson"))
+    size = np.hypot(*linear)
+    tau = size / 27500
+    assert tau < 3
+    force = 27500 * (tau - tau**2 / 3 + tau**3 / 27)
+    assert cubic == pytest.approx(force * linear / size, abs=1e-6 * force)
+
+
 # All of them.
+@pytest.mark.parametrize("model, bound", [(name, None) for name in THEORIES if name != "polach"] + [("fastsim", "elliptic")])
+def test_forces_are_the_sums_of_tractions(model, bound):
+    creepages = [(0, 0, 0), (1e-3, 5e-4, 1e-4), (0.05, 0, 0)]
+    if model == "carter":
+        creepages[1] = (1e-3, 0, 0)
+    if model == "vermeulen-johnson":
+        creepages[1] = (1e-3, 5e-4, 0)
+    if model == "linear":
+        creepages = [(1e-4, 0, 0), (0, 1e-4, 0), (0, 0, 1e-5)]
+    result = creeping(model, 100.0, *creepages, across=120, **({"bound": bound} if bound else {}))
+    area = result.dx * result.dy
+    for point in result.points:
+        size = np.hypot(*forces(point)) if model == "linear" else 27500
+        assert area * point.traction_x.sum() == pytest.approx(point.longitudinal_force, abs=2e-3 * size)
+        assert area * point.traction_y.sum() == pytest.approx(point.lateral_force, abs=2e-3 * size)
+        assert area * point.pressure.sum() == pytest.approx(50e3, rel=1e-3)
+        if model == "vermeulen-johnson":
+            moment = area * (result.x * point.traction_y - result.y[:, None] * point.traction_x).sum()
+            assert moment == pytest.approx(point.spin_moment, abs=2e-3 * size * point.semi_axis_x)
+    first, last = result.points[0], result.points[-1]
+    if model == "linear":
+        assert first.traction_coefficient > 0
+    else:
+        assert first.longitudinal_force == 0.0 and all(point.adhesion_area <= (1 + 1e-12) * point.contact_area for point in result.points)
+        assert last.traction_coefficient == pytest.approx(0.55, abs=1e-3)
+    if model == "carter":
+        assert first.adhesion_area == pytest.approx(first.contact_area, rel=1e-14) and last.adhesion_area == 0.0
+        assert last.traction_coefficient == pytest.approx(0.55, abs=1e-6)
+
+
 @pytest.mark.parametrize("name", THEORIES + ["halfspace"])
 def test_every_model_solves_case_a(name):
     points = solved(CURVE, model=name).points

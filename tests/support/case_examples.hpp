@@ -40,20 +40,6 @@ inline std::string edited(const std::string& text, const std::vector<std::string
   return contact::with_changes(text, "case.toml", changes, {{"auto", "halfspace", "fem"}, {}});
 }
 
-/// Two wheels in two positions. Beyond the middle the left wheel touches with a larger model error
-/// than the others.
-inline const std::string two_positions = edited(
-    wheel_on_rail, {"wheelset.side=both", "wheelset.lateral_shift=[0.0, 2.0]", "wheelset.roll=0.0",
-                    "rolling.longitudinal_creepage=0.001", "output.fields=false"});
-
-/// The small case with one piece of text replaced by another.
-inline std::string with(const std::string& piece, const std::string& replacement) {
-  std::string text = small_case;
-  const std::size_t at = text.find(piece);
-  if (at == std::string::npos) throw std::logic_error("no '" + piece + "' in the small case");
-  return text.replace(at, piece.size(), replacement);
-}
-
 /// The small case with lines added at the end.
 inline std::string plus(const std::string& lines) {
   return small_case + lines;

@@ -25,14 +25,4 @@ inline void expect_contact_laws(const contact::PointResult& point, double fricti
   }
 }
 
-/// Forces equal the sums of the tractions within a tolerance in N.
-inline void expect_forces_of_fields(const contact::ModelResult& result, double tolerance) {
-  const double area = result.grid.element_area();
-  for (const contact::PointResult& point : result.points) {
-    const contact::SurfaceField& p = point.fields.traction;
-    EXPECT_NEAR(area * p.x.sum(), point.longitudinal_force, tolerance);
-    EXPECT_NEAR(area * p.y.sum(), point.lateral_force, tolerance);
-  }
-}
-
 }  // namespace rollfem::testing

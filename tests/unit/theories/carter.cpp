@@ -2,13 +2,11 @@
 // Carter's closed form against benchmark numbers, quadrature, and its limits.
 #include "theories/carter.hpp"
 
-#include "base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 
-#include "support/contact_laws.hpp"
-#include "support/thesis_cases.hpp"
+#include "support/test.hpp"
 
 namespace rollfem::theories {
 
@@ -101,36 +99,6 @@ TEST(Carter, SlipOpposesTheTraction) {
   const CarterSolution carter(benchmark(), 3e-4);
   for (double x = -0.99; x < 1.0; x += 0.1)
     EXPECT_LE(carter.slip(x) * carter.traction(x), 0.0) << x;
-}
-
-contact::Case wide_patch() {
-  contact::Case input = thesis_case('a');
-  input.friction_coefficient = 0.3;
-  input.rolling.creepages = {{0, 0, 0}, {5e-4, 0, 0}, {0.01, 0, 0}};
-  return input;
-}
-
-TEST(Carter, ModelOnAnEllipseSaturatesAtTheCoefficientOfFriction) {
-  const contact::ModelResult result = run_carter(wide_patch(), {});
-  EXPECT_EQ(result.points[0].traction_coefficient, 0.0);
-  EXPECT_EQ(result.points[0].adhesion_area, result.points[0].contact_area);
-  EXPECT_NEAR(result.points[2].traction_coefficient, 0.3, 1e-6);
-  EXPECT_EQ(result.points[2].adhesion_area, 0.0);
-}
-
-TEST(Carter, ModelForcesAreThoseOfItsFields) {
-  contact::Case input = wide_patch();
-  input.contact_grid.elements_across = 80;
-  const contact::ModelResult result = run_carter(input, {});
-  expect_forces_of_fields(result, 2e-3 * 0.3 * 50e3);
-}
-
-TEST(Carter, ModelRefusesWhatItCannotSolve) {
-  contact::Case input = wide_patch();
-  input.rolling.creepages = {{1e-3, 1e-4, 0}};
-  EXPECT_THROW(run_carter(input, {}), contact::InputError);
-  input.rolling.creepages = {{1e-3, 0, 1e-5}};
-  EXPECT_THROW(run_carter(input, {}), contact::InputError);
 }
 
 }  // namespace

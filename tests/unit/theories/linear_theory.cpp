@@ -2,20 +2,15 @@
 // Kalker's coefficients: the table, between its entries, beyond it; the forces that follow.
 #include "base/errors.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
-#include "theories/brush.hpp"
 #include "theories/closed_forms.hpp"
 
 #include "support/printed_coefficients.hpp"
-#include "support/thesis_cases.hpp"
+#include "support/test.hpp"
 
 namespace rollfem::theories {
 
 using namespace halfspace;
 namespace {
-
-struct Entry {
-  double a, b, nu, c11, c22, c23, c33;
-};
 
 using Values = std::array<double, 4>;
 
@@ -182,27 +177,6 @@ TEST(LinearTheory, HasTheSignsOfForcesOnTheWheel) {
   const CreepForces turning = linear_creep_forces(6, 6, 82000, 0.25, {0, 0, 1e-4});
   expect(turning.lateral, -82000 * 216 * 1.4661e-4);
   expect(turning.spin_moment, -82000.0 * 1296 * 1.1843e-4);
-}
-
-TEST(LinearTheory, ModelHasTractionsWithTheForcesOfTheCoefficients) {
-  contact::Case input = thesis_case('b', 80, {{1e-4, 0, 0}, {0, 1e-4, 0}, {0, 0, 1e-5}});
-  const contact::ModelResult result = run_linear(input, {});
-  ASSERT_EQ(result.points.size(), 3u);
-  for (const contact::PointResult& point : result.points) {
-    const double area = result.grid.element_area();
-    const double size = std::hypot(point.longitudinal_force, point.lateral_force);
-    EXPECT_NEAR(area * point.fields.traction.x.sum(), point.longitudinal_force, 2e-3 * size);
-    EXPECT_NEAR(area * point.fields.traction.y.sum(), point.lateral_force, 2e-3 * size);
-  }
-  EXPECT_GT(result.points[0].traction_coefficient, 0.0);
-}
-
-TEST(LinearTheory, ModelRefusesExtraSlipFromAFile) {
-  contact::Case input = thesis_case('b');
-  input.rolling.extra_slip = contact::ExtraSlip::file;
-  input.rolling.extra_slip_values = contact::Lattice{"slip.csv", 4, 4, -20, -20, 13, 13, {}};
-  input.rolling.extra_slip_values->values.assign(2, std::vector<double>(16, 1e-4));
-  EXPECT_THROW(run_linear(input, {}), contact::InputError);
 }
 
 }  // namespace

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The strip model: Hertz and Vermeulen-Johnson as its exact limits, profiles beyond the parabola.
+// The strip model: Hertz as its exact limit, profiles beyond the parabola.
 #include "theories/strip.hpp"
 
 #include "base/errors.hpp"
-#include "case/reading/case_reader.hpp"
-#include "theories/closed_forms.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
 
-#include <fmt/format.h>
-
-#include "support/contact_laws.hpp"
-#include "support/thesis_cases.hpp"
+#include "support/test.hpp"
 
 namespace rollfem::theories {
 
@@ -102,36 +98,6 @@ double flank_on_one_side(double y) {
   return y > 0.0 ? 3.5e-3 * y * y : std::min(3.5e-3 * y * y, 0.03 + 5.5e-3 * (-y - 2.93));
 }
 
-/// Radii: an ellipse of Hertz's ratio as wide as the undeformed overlap, whose pressure gives the
-/// approach at its middle; on patches up to six times as long as wide too.
-TEST(StripNormal, VirtualPenetrationOfRadiiNeedsNoProfiles) {
-  for (const double radius : {300.0, 80.0, 30.0, 13.0})
-    for (const char* given : {"approach = 0.0181818", "normal_force = 5e3"}) {
-      SCOPED_TRACE(fmt::format("{} mm, {}", radius, given));
-      const contact::Scene scene = contact::parse_case(
-          fmt::format("[load]\n{}\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = "
-                      "460.0\ntransverse_radius = inf\n[rail]\ntransverse_radius = {:e}\n"
-                      "[strip]\nvirtual_penetration = 0.55\n",
-                      given, radius),
-          "a.toml");
-      const contact::ModelResult result = run_strip(scene, {});
-      const contact::PointResult& point = result.points[0];
-      const HertzContact unit =
-          hertz_from_force(0.5 / 460.0, 0.5 / radius, scene.material.contact_modulus, 1.0);
-      const double b = std::sqrt(0.55 * point.approach * 2.0 * radius);
-      const double scale = b / unit.semi_axis_y;
-      const double pressure = unit.max_pressure * point.approach / (unit.approach * scale);
-      EXPECT_NEAR(point.semi_axis_y / b, 1.0, 2e-3);
-      EXPECT_NEAR(point.semi_axis_x / (scale * unit.semi_axis_x), 1.0, 1e-2);
-      EXPECT_NEAR(point.max_pressure / pressure, 1.0, 1e-2);
-      EXPECT_NEAR(point.normal_force /
-                      (2.0 / 3.0 * M_PI * point.semi_axis_x * point.semi_axis_y * pressure),
-                  1.0, 1e-2);
-      EXPECT_GT(result.grid.nx * result.grid.dx, point.contact_length);
-      EXPECT_GT(result.grid.ny * result.grid.dy, point.contact_width);
-    }
-}
-
 /// A flank that the profiles nearly share touches first in the virtual penetration.
 TEST(StripNormal, VirtualPenetrationReachesFurtherIntoAFlank) {
   const StripProfile profile = profile_of(flank_on_one_side, 20.0, 800);
@@ -153,46 +119,6 @@ TEST(StripNormal, VirtualPenetrationReachesFurtherIntoAFlank) {
 TEST(StripNormal, SaysThatTheProfilesAreTooNarrow) {
   const StripProfile profile = profile_of(crowned, 8.0, 80);
   EXPECT_THROW(strips_for_force(profile, law, 50e3), contact::SolveError);
-}
-
-TEST(StripModel, OnAnEllipseIsVermeulenJohnson) {
-  // A strip with a parabola of force mu P(y) slips over the same share of every strip, and the sum
-  // is 1 - (1 - tau/3)^3: Vermeulen and Johnson's law, for any creepage without spin.
-  contact::Case input =
-      thesis_case('a', 40, {{1e-4, 0, 0}, {1e-3, 0, 0}, {0, 3e-3, 0}, {0.02, 0, 0}});
-  const contact::ModelResult strip = run_strip(input, {});
-  const contact::ModelResult closed = run_vermeulen_johnson(input, {});
-  for (std::size_t k = 0; k < strip.points.size(); ++k) {
-    EXPECT_NEAR(strip.points[k].longitudinal_force, closed.points[k].longitudinal_force,
-                3e-4 * 27500);
-    EXPECT_NEAR(strip.points[k].lateral_force, closed.points[k].lateral_force, 3e-4 * 27500);
-  }
-}
-
-TEST(StripModel, LargestTractionIsThreePiOverEightOfMuP0) {
-  contact::Case input = thesis_case('a', 40, {{0.02, 0, 0}});
-  const contact::PointResult point = run_strip(input, {}).points[0];
-  const double expected = 3.0 * std::acos(-1.0) / 8.0 * 0.55 * point.max_pressure;
-  EXPECT_NEAR(point.max_traction / expected, 1.0, 1e-3);
-}
-
-TEST(StripModel, ForcesAreThoseOfItsFields) {
-  contact::Case input = thesis_case('c', 80, {{0, 0, 0}, {1e-3, 5e-4, 1e-4}});
-  const contact::ModelResult result = run_strip(input, {});
-  expect_forces_of_fields(result, 2e-3 * 27500);
-  const double area = result.grid.element_area();
-  for (const contact::PointResult& point : result.points) {
-    EXPECT_NEAR(area * point.fields.traction.n.sum(), 50e3, 1e-3 * 50e3);
-    EXPECT_NEAR(point.contact_area / (std::acos(-1.0) * point.semi_axis_x * point.semi_axis_y), 1.0,
-                1e-3);
-  }
-}
-
-TEST(StripModel, RunsForAGivenApproach) {
-  contact::Case input = thesis_case('a');
-  input.load.normal_force.reset();
-  input.load.approach = 0.0473108;
-  EXPECT_NEAR(run_strip(input, {}).points[0].normal_force, 50e3, 50.0);
 }
 
 }  // namespace

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Vermeulen and Johnson's theory against benchmark 8 and its own tractions.
-#include "base/errors.hpp"
+// Vermeulen and Johnson's theory against benchmark 8 and its limits.
 #include "halfspace/closed_forms/kalker.hpp"
 #include "theories/closed_forms.hpp"
 
-#include "support/contact_laws.hpp"
-#include "support/thesis_cases.hpp"
+#include "support/test.hpp"
 
 namespace rollfem::theories {
 
@@ -29,33 +27,4 @@ TEST(VermeulenJohnson, TendsToTheLinearTheoryAndToFullSlip) {
   EXPECT_EQ(large.stick_ratio, 0.0);
 }
 
-TEST(VermeulenJohnson, ModelForcesAndMomentAreThoseOfItsTractions) {
-  contact::Case input =
-      thesis_case('b', 120, {{0, 0, 0}, {1e-3, 5e-4, 0}, {0, -2e-3, 0}, {0.05, 0, 0}});
-  const contact::ModelResult result = run_vermeulen_johnson(input, {});
-  const contact::ContactGrid& grid = result.grid;
-  expect_forces_of_fields(result, 2e-3 * 27500);
-  for (const contact::PointResult& point : result.points) {
-    const contact::SurfaceField& p = point.fields.traction;
-    EXPECT_NEAR(forces(grid, {p.x, p.y}).moment, point.spin_moment,
-                2e-3 * 27500 * point.semi_axis_x);
-  }
-  EXPECT_EQ(result.points[0].traction_coefficient, 0.0);
-  EXPECT_NEAR(result.points[3].traction_coefficient, 0.55, 1e-12);
-}
-
-/// Shen, Hedrick and Elkins: the cubic of the linear force, with its part by spin.
-TEST(VermeulenJohnson, SpinIsPartOfTheLinearForce) {
-  for (const contact::Creepage& creepage : {contact::Creepage{1e-3, 5e-4, 1e-4}, {0, 0, 3e-4}}) {
-    contact::Case input = thesis_case('b', 40, {creepage});
-    const contact::PointResult point = run_vermeulen_johnson(input, {}).points[0];
-    const contact::PointResult linear = run_linear(input, {}).points[0];
-    const double size = std::hypot(linear.longitudinal_force, linear.lateral_force);
-    const double tau = size / 27500.0;
-    ASSERT_LT(tau, 3.0);
-    const double force = 27500.0 * (tau - tau * tau / 3.0 + tau * tau * tau / 27.0);
-    EXPECT_NEAR(point.longitudinal_force, force * linear.longitudinal_force / size, 1e-6 * force);
-    EXPECT_NEAR(point.lateral_force, force * linear.lateral_force / size, 1e-6 * force);
-  }
-}
 }  // namespace rollfem::theories
