@@ -156,16 +156,6 @@ TEST_P(ComplianceOfGrid, RollingIsTheUpwindDifferenceUpToTheBorder) {
   }
 }
 
-TEST_P(ComplianceOfGrid, IsSymmetricAndPositiveDefinite) {
-  for (unsigned seed = 10; seed < 20; ++seed) {
-    const SurfaceField p = random_field(grid, seed);
-    const SurfaceField q = random_field(grid, seed + 100);
-    const double energy = dot(p, compliance.apply(p));
-    EXPECT_GT(energy, 0.0);
-    EXPECT_NEAR(dot(q, compliance.apply(p)), dot(p, compliance.apply(q)), 1e-12 * energy);
-  }
-}
-
 TEST_P(ComplianceOfGrid, NormalPreconditionerIsSymmetricPositiveDefinite) {
   const contact::NormalOperator& normal = compliance.normal();
   for (unsigned seed = 30; seed < 40; ++seed) {

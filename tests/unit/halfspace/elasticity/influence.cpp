@@ -120,32 +120,6 @@ TEST(Influence, DoesNotJumpWhereTheMethodChanges) {
     }
 }
 
-TEST(Influence, HasTheSymmetriesOfTheRectangle) {
-  const contact::CombinedMaterial material = unlike_materials();
-  const Influence a = rectangle_influence(1.3, 0.4, 0.5, 0.2, material);
-  const Influence mirrored = rectangle_influence(-1.3, 0.4, 0.5, 0.2, material);
-  const Influence swapped = rectangle_influence(0.4, 1.3, 0.2, 0.5, material);
-  EXPECT_NEAR(mirrored.xx, a.xx, 1e-14 * a.nn);
-  EXPECT_NEAR(mirrored.xy, -a.xy, 1e-14 * a.nn);
-  EXPECT_NEAR(mirrored.xn, -a.xn, 1e-14 * a.nn);
-  EXPECT_NEAR(mirrored.yn, a.yn, 1e-14 * a.nn);
-  EXPECT_NEAR(swapped.xx, a.yy, 1e-14 * a.nn);
-  EXPECT_NEAR(swapped.xy, a.xy, 1e-14 * a.nn);
-  EXPECT_NEAR(swapped.xn, a.yn, 1e-14 * a.nn);
-}
-
-TEST(Influence, MovesTheWheelSurfaceWithTheTraction) {
-  const contact::CombinedMaterial material = contact::combine({210e3, 0.3}, {210e3, 0.3});
-  const Influence a = rectangle_influence(0.0, 0.0, 1.0, 1.0, material);
-  EXPECT_GT(a.xx, 0.0);
-  EXPECT_GT(a.yy, 0.0);
-  EXPECT_GT(a.nn, 0.0);
-  EXPECT_EQ(a.xn, 0.0);
-  EXPECT_EQ(a.yn, 0.0);
-  // Between two loads of like materials there is no coupling at any offset.
-  EXPECT_EQ(rectangle_influence(2.0, 1.0, 1.0, 1.0, material).xn, 0.0);
-}
-
 TEST(Influence, PressureDrawsTheSofterSurfaceTowardsIt) {
   // Johnson 1985 eq. 3.18a: u_r = -(1 - 2 nu) P / (4 pi G r). A wheel softer than the rail moves
   // towards the load: u_x < 0 at x > 0.

@@ -84,15 +84,6 @@ TEST(LineInfluence, OfAFourierSumIsThatOfADenseMatrix) {
   EXPECT_NEAR(fast.rolling(UpwindOrder::first).diagonal(), diagonal_first, 1e-11 * diagonal_first);
 }
 
-TEST(LineInfluence, IsSymmetricAndPositive) {
-  const ContactGrid grid = line_of(40);
-  const halfspace::HalfspaceCompliance line(grid, unlike());
-  const SurfaceField p = random_field(grid, 1), q = random_field(grid, 2);
-  const double pp = dot(p, line.apply(p));
-  EXPECT_NEAR(dot(p, line.apply(q)), dot(line.apply(p), q), 1e-12 * pp);
-  EXPECT_GT(pp, 0.0);
-}
-
 TEST(LineInfluence, IsTheHalfspaceUnderVeryLongElements) {
   const ContactGrid grid = line_of(12);
   const halfspace::HalfspaceCompliance line(grid, unlike());

@@ -107,13 +107,6 @@ TEST(ExpectedPatch, IsOffTheContactPointWhereProfilesAreLopsided) {
   EXPECT_GT(patch.y_centre, patch.y_middle());
 }
 
-TEST(ExpectedPatch, ComesNearWithFewElements) {
-  const ExpectedPatch exact = PatchSearch(thesis_case('a')).patch();
-  const ExpectedPatch sharp = PatchSearch(with_circles('a')).patch();
-  EXPECT_NEAR(sharp.width, exact.width, 0.002 * exact.width);
-  EXPECT_NEAR(sharp.max_pressure, exact.max_pressure, 0.002 * exact.max_pressure);
-}
-
 TEST(ExpectedPatch, IsSearchedOnceForTheSameContact) {
   const contact::Scene scene = with_circles('b');
   contact::Scene other_grid = scene, other_load = scene;

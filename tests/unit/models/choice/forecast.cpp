@@ -107,27 +107,6 @@ TEST(NextPlan, TheFirstModelSolvesAllContactsFirst) {
   EXPECT_EQ(plan->unsolved, 3U);
 }
 
-TEST(NextPlan, NothingFollowsWhereAllContactsMeetTheAccuracy) {
-  Contacts contacts = run_of({0.0, 0.004}, 0.5);
-  solve(contacts, *next_plan(contacts, 0.01, no_limit));
-  EXPECT_FALSE(next_plan(contacts, 0.01, no_limit));
-}
-
-TEST(NextPlan, OneContactThatMissesMakesAnotherModelSolveAll) {
-  Contacts contacts = run_of({0.0, 0.004, 0.1}, 20.0);
-  solve(contacts, *next_plan(contacts, 0.01, no_limit));
-  const auto plan = next_plan(contacts, 0.01, 60.0);
-  ASSERT_TRUE(plan);
-  EXPECT_EQ(plan->model, 1U);
-  EXPECT_EQ(plan->levels, (Levels{0, 0, 0}));
-  EXPECT_DOUBLE_EQ(plan->seconds, 60.0);
-  EXPECT_FALSE(next_plan(contacts, 0.01, 59.0)) << "the total does not fit: the answer stays";
-  // Without limit, and no grid meets 0.1 %: 0.25 % of the finest one is the closest.
-  contacts = run_of({0.1}, 20.0);
-  solve(contacts, *next_plan(contacts, 0.001, no_limit));
-  EXPECT_EQ(next_plan(contacts, 0.001, no_limit)->levels, (Levels{2}));
-}
-
 TEST(NextPlan, AFinerGridOfTheSameModelIsCheaperThanAnotherModel) {
   Contacts contacts = run_of({0.002, 0.002}, 20.0);
   solve(contacts, *next_plan(contacts, 0.01, no_limit));
@@ -159,14 +138,6 @@ TEST(NextPlan, LittleTimeMeansCoarserGridsForAll) {
   EXPECT_EQ(of_limit(4.0), (Levels{1, 1}));
   EXPECT_EQ(of_limit(3.0), (Levels{0, 0}));
   EXPECT_EQ(of_limit(0.1), (Levels{0, 0})) << "an answer is always given";
-}
-
-TEST(NextPlan, AContactThatAModelCannotTakeLeavesItOut) {
-  Contacts contacts = run_of({0.0, 0.0}, 20.0);
-  contacts[1][0].cannot = "the bodies conform";
-  EXPECT_EQ(next_plan(contacts, 0.01, 60.0)->model, 1U);
-  contacts[0][1].cannot = "no mesh";
-  EXPECT_FALSE(next_plan(contacts, 0.01, 60.0));
 }
 
 }  // namespace
