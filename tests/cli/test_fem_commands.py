@@ -3,9 +3,13 @@
 failure that ends the call with nothing half-written. stress on stored bodies: for any load point of a creep curve they
 equal a run with that creepage alone."""
 
+import xml.etree.ElementTree
+
+import h5py
 import numpy as np
 import pytest
-from program import SMALL, says
+from program import SMALL, package, says
+from test_results import vtk_arrays
 
 
 def flat(cell_size):
@@ -82,8 +86,24 @@ def test_stresses_at_any_load_point_are_those_of_a_run_with_it_alone(rollfem, ru
     second, alone = stress("curve", "--creepage", "0.003"), stress("second")
     assert abs(second - alone).max() < 1e-4 * p0
     assert abs(second - first).max() > 0.05 * p0, "the load points are not told apart"
-    for name in "wheel_0000.vtu", "rail_0002.vtu", "wheel.vtu", "bodies.pvd":
-        assert rollfem.holds(f"curve/fields/fem_{name}"), name
+    # The same bodies for ParaView.
+    fields = rollfem.work / "curve/fields"
+    series = xml.etree.ElementTree.parse(fields / "fem_bodies.pvd").getroot()
+    assert [tuple(part.get(name) for name in ("timestep", "part", "file")) for part in series.iter("DataSet")] == [
+        (creepage, part, f"fem_{body}_{k:04}.vtu") for k, creepage in enumerate(("0.001", "0.003", "0.006"))
+        for part, body in (("0", "wheel"), ("1", "rail"))]
+    assert rollfem.holds("curve/fields/fem_wheel.vtu")
+    with h5py.File(rollfem.work / "curve/results.h5") as file:
+        bodies, point = file["models/fem/bodies"], file["models/fem/points/0000/bodies"]
+        for body in "wheel", "rail":
+            found = vtk_arrays(fields / f"fem_{body}_0000.vtu")
+            assert (found["Points"] == bodies[f"{body}/points"][()]).all()
+            assert found["types"].size == len(bodies[f"{body}/cells"]) and (found["types"] == 12).all()  # hexahedra
+            assert found["displacement [mm]"] == pytest.approx(point[f"{body}/displacement"][()], rel=1e-6, abs=1e-9)
+            stored = point[f"{body}/stress"][()]
+            assert found["stress [MPa]"] == pytest.approx(stored, rel=1e-6, abs=1e-6)
+            von_mises = package().stress_measures(stored)["von_mises"]
+            assert found["von Mises stress [MPa]"] == pytest.approx(von_mises, rel=1e-5, abs=1e-6)
 
 
 def test_bodies_are_kept_as_the_case_says(rollfem, run, stress):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies on meshes that are given: put on the true surface, refined, coupled with faces that follow
-// no lattice; and the given meshes that are refused.
+// no lattice.
 #include "base/errors.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/mesh/chart_face.hpp"
@@ -211,41 +211,11 @@ TEST(GivenMesh, TooCoarseForTheCellSizeIsRefused) {
                    "too coarse"));
 }
 
-namespace {
-
-/// Message of user_mesh() for a mesh of a rail of radius 20.
-std::string refused(const meshes::HexMesh& mesh) {
+TEST(UserMesh, NodesWithSmallErrorsAreMovedToTheSurface) {
   const TemporaryFolder folder;
-  const std::string path = folder.file("rail.msh", meshes::msh_text(mesh));
-  return refusal<contact::InputError>(
-      [&] { fem::user_mesh(path, "rail.msh", rail_shape(20), small_options()).mesh; });
-}
-
-meshes::HexMesh moved(double scale, const Point& shift) {
-  auto mesh = turned_mesh(rail_shape(20));
-  for (auto& p : mesh.points)
-    for (int d = 0; d < 3; ++d) p[d] = scale * p[d] + shift[d];
-  return mesh;
-}
-
-void expect_user_message(const std::string& message, const std::string& part) {
-  EXPECT_TRUE(says(message, part));
-  EXPECT_EQ(message.find("rail.msh: "), 0u) << message;
-  EXPECT_TRUE(says(message, "do: "));
-}
-
-}  // namespace
-
-TEST(UserMesh, IsPutOnTheSurfaceOrRefused) {
-  EXPECT_EQ(refused(turned_mesh(rail_shape(20))), "");
-  expect_user_message(refused(moved(1e-3, {})), "coordinates in mm");  // metres
-  expect_user_message(refused(moved(1e6, {})), "coordinates in mm");
-  expect_user_message(refused(moved(1.0, {0, 0, -1})), "away from the surface");
-  expect_user_message(refused(turned_mesh(rail_shape(25))), "away from the surface");
-  expect_user_message(refused(moved(1.0, {25, 0, 0})), "the contact needs");
-  // Nodes with small errors are moved.
-  const TemporaryFolder folder;
-  const std::string path = folder.file("rail.msh", meshes::msh_text(moved(1.0, {0, 0, -0.01})));
+  meshes::HexMesh given = turned_mesh(rail_shape(20));
+  for (auto& p : given.points) p[2] -= 0.01;
+  const std::string path = folder.file("rail.msh", meshes::msh_text(given));
   const auto mesh = fem::user_mesh(path, "rail.msh", rail_shape(20), small_options()).mesh;
   for (const auto& quad : mesh.sides)
     if (quad.side == meshes::Side::contact)
@@ -256,20 +226,14 @@ TEST(UserMesh, IsPutOnTheSurfaceOrRefused) {
 }
 
 TEST(UserMesh, SymmetryGroupMeansTheHalfAboveZero) {
-  const std::vector<double> x{-16, -4, 0, 4, 16}, y{0, 4, 16}, z{-12, -4, 0};
-  const auto surface = [](const Point& p) {
-    const auto at = rail_shape(20).place(p[0], p[1], -p[2]);
-    return Point{at[0], at[1], at[2]};
-  };
-  EXPECT_EQ(refused(block(x, y, z, true, surface, true)), "");
-  const auto shifted = [&](const Point& p) { return surface({p[0], p[1] + 0.5, p[2]}); };
-  expect_user_message(refused(block(x, y, z, true, shifted, true)), "`symmetry` lies at y = 0.5");
-  const std::vector<double> other{0, -4, -16};
-  auto wrong_side = block(x, {-16, -4, 0}, z, true, surface);
-  for (auto& quad : wrong_side.sides) {
-    bool on_plane = true;
-    for (const int c : quad.corners) on_plane = on_plane && wrong_side.points[c][1] == 0.0;
-    if (on_plane) quad.side = meshes::Side::symmetry;
-  }
-  expect_user_message(refused(wrong_side), "on the other side");
+  const TemporaryFolder folder;
+  const auto half = block(
+      {-16, -4, 0, 4, 16}, {0, 4, 16}, {-12, -4, 0}, true,
+      [](const Point& p) {
+        const auto at = rail_shape(20).place(p[0], p[1], -p[2]);
+        return Point{at[0], at[1], at[2]};
+      },
+      true);
+  const std::string path = folder.file("rail.msh", meshes::msh_text(half));
+  EXPECT_TRUE(fem::user_mesh(path, "rail.msh", rail_shape(20), small_options()).mesh.half());
 }
