@@ -69,6 +69,10 @@ TEST(SurfaceOfProfiles, DistanceOfASphereIsTheSameAboutAnyAxle) {
     for (const double follows : {1.0, 0.4, 0.0}) {
       ContactSurface surface = surface_of(sphere_on_circle(radius, rail, axle));
       surface.follows = follows;
+      // The axle passes the centre, a radius above the origin.
+      EXPECT_NEAR(surface.profiles->local_rolling_radius(0.0),
+                  radius * std::sqrt(1.0 - axle[2] * axle[2]), 1e-9);
+      EXPECT_NEAR(surface.profiles->tilt(), std::atan2(axle[2], axle[1]), 1e-12);
       for (const double x : {0.0, 3.0, -9.0})
         for (const double y : {-12.0, 0.0, 7.0}) {
           const double climb = surface.climb(y), length = std::hypot(1.0, climb);

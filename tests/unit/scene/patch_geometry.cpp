@@ -22,17 +22,6 @@ HeightCurve level(double half_width) {
   return HeightCurve({{-half_width, 0.0, 0.0}, {half_width, 0.0, 0.0}});
 }
 
-/// A sphere of radius R about a point of the axle: whatever the axle's direction, the same surface.
-PatchGeometry sphere(double radius, const std::array<double, 3>& direction) {
-  std::vector<HeightKnot> wheel;
-  for (double at = -250.0; at < 250.05; at += 0.1) {
-    const double here = std::sqrt(radius * radius - at * at);
-    wheel.push_back({at, here, -at / here});
-  }
-  const Axle axle{{0.0, 0.0, radius}, direction};
-  return {level(50.0), HeightCurve(wheel), axle, -30.0, 30.0};
-}
-
 }  // namespace
 
 TEST(HeightCurve, GivesCubicsAndTheirDerivativesExactly) {
@@ -114,23 +103,6 @@ TEST(HeightCurve, AveragingOverAWaveLeavesItsMeanWhereverItIsTaken) {
 TEST(HeightCurve, RefusesKnotsThatDoNotRise) {
   EXPECT_THROW(HeightCurve(std::vector<HeightKnot>(2)), std::invalid_argument);
   EXPECT_THROW(HeightCurve(std::vector<HeightKnot>(1)), std::invalid_argument);
-}
-
-TEST(PatchGeometry, SphereIsTheSameAboutAnyAxle) {
-  const double yaw = 0.02, tilt = 0.4;
-  const PatchGeometry plain = sphere(460.0, {0.0, 1.0, 0.0});
-  const PatchGeometry turned = sphere(
-      460.0, {std::sin(yaw), std::cos(yaw) * std::cos(tilt), std::cos(yaw) * std::sin(tilt)});
-  for (const double x : {0.0, 3.0, -9.0})
-    for (const double y : {-20.0, 0.0, 7.0}) {
-      const double exact = 460.0 - std::sqrt(460.0 * 460.0 - x * x - y * y);
-      EXPECT_NEAR(plain.distance(x, y), exact, 1e-9) << x << ' ' << y;
-      EXPECT_NEAR(turned.distance(x, y), exact, 1e-9) << x << ' ' << y;
-    }
-  // The axle passes the centre, 460 above the origin.
-  EXPECT_NEAR(turned.local_rolling_radius(0.0),
-              460.0 * std::sqrt(1.0 - std::pow(std::cos(yaw) * std::sin(tilt), 2)), 1e-9);
-  EXPECT_NEAR(turned.tilt(), tilt, 1e-12);
 }
 
 TEST(PatchGeometry, ConeUnderATiltedAxleIsFlatAcross) {
