@@ -192,6 +192,10 @@ CONTACT_LOCOMOTIVE_COULOMB = {1e-5: (-7.015e-3, 1382), 4e-4: (-0.2588, 1182), 8e
 # The force at 1e-5 in N without and with the layer.
 CONTACT_LOCOMOTIVE_SLOPE = (247.0, 65.81)
 
+# Rollers at 45 m/s on friction that falls steeply (Vollebregt and Schuttelaars 2012; example veldep_fric of r2707, cases 3 to 14):
+# F_x/(mu F_z) of steps of an element from fast sliding on.
+CONTACT_ROLLERS_SLIDING = (0.5941, 0.5702, 0.5739, 0.5774, 0.5806, 0.5835, 0.5860, 0.5882, 0.5714, 0.5751, 0.5786, 0.5817)
+
 # Dry twin disc, wheel steel R8T on rail steel 900A (Lewis and Dwyer-Joyce 2004): discs of 47 mm, track of 10 mm, 400 rpm,
 # 1500 MPa by Hertz, which is 7198 N. Slip: heat of friction in W; the traction coefficient is heat/(slip V F_n).
 TWIN_DISC = {0.002: 1.3, 0.005: 9.2, 0.01: 25.7, 0.03: 102.6, 0.075: 246.0, 0.1: 327.8, 0.15: 492.1, 0.2: 728.4}

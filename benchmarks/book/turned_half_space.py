@@ -58,8 +58,8 @@ class Patch:
 
     def influence(self, to, source, turned, ahead=0.0):
         """Displacement [i][j] at elements `to`, shifted by `ahead` along x, under unit tractions j on `source`."""
-        xx, yy, xy, nn = _coefficients(self.x[to][:, None] + ahead - self.x[source], self.s[to][:, None] - self.s[source],
-                                       self.dx, self.ds, self.scene)
+        xx, yy, xy, nn = coefficients(self.x[to][:, None] + ahead - self.x[source], self.s[to][:, None] - self.s[source],
+                                       self.dx, self.ds, self.scene.shear_modulus, self.scene.poisson)
         none = 0 * nn
         if not turned:
             return [[xx, xy, none], [xy, yy, none], [none, none, nn]]
@@ -68,8 +68,8 @@ class Patch:
         return [[xx, xy, none], [c * xy, c * yy, -s * nn], [s * xy, s * yy, c * nn]]
 
 
-def _coefficients(x, y, dx, dy, scene):
-    """xx, yy, xy, nn of both like bodies together, at (x, y) from the middle of a loaded element."""
+def coefficients(x, y, dx, dy, shear_modulus, poisson):
+    """xx, yy, xy, nn of both bodies together, at (x, y) from the middle of a loaded element."""
     def corners(primitive):
         a, b = dx / 2, dy / 2
         return primitive(x + a, y + b) - primitive(x - a, y + b) - primitive(x + a, y - b) + primitive(x - a, y - b)
@@ -77,9 +77,19 @@ def _coefficients(x, y, dx, dy, scene):
     def asinh(of, by):
         return np.arcsinh(of / np.where(by == 0, 1e-30, np.abs(by)))
     along, across = corners(lambda u, v: u * asinh(v, u)), corners(lambda u, v: v * asinh(u, v))
-    nu, factor = scene.poisson, 1 / (np.pi * scene.shear_modulus)
+    nu, factor = poisson, 1 / (np.pi * shear_modulus)
     both = (1 - nu) * (along + across)
-    return (factor * (both + nu * along), factor * (both + nu * across), factor * -nu * corners(np.hypot), factor * both)
+    return (factor * (both + nu * across), factor * (both + nu * along), factor * -nu * corners(np.hypot), factor * both)
+
+
+def coupling(x, y, dx, dy):
+    """The integrals of x/r^2 and y/r^2 over a loaded element: along the surface under pressure, between unlike bodies."""
+    def over(u, v, du, dv):
+        def primitive(a, b):
+            return b * np.log(np.hypot(a, b)) + a * np.arctan(b / a)
+        a, b = du / 2, dv / 2
+        return primitive(u + a, v + b) - primitive(u - a, v + b) - primitive(u + a, v - b) + primitive(u - a, v - b)
+    return over(x, y, dx, dy), over(y, x, dy, dx)
 
 
 def pressure(patch, approach, turned, tractions=None, guess=None):

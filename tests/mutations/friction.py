@@ -33,7 +33,7 @@ FRICTION = [
     Mutation("branch_from_sliding", "scene/friction_law.cpp",
              "law->branch = input.friction_fall.branch;", "",
              "the state that fast sliding slows down to cannot be asked for",
-             ("verification_several_states:SeveralStates.*",)),
+             ("book_falling",)),
     Mutation("steady_start", "scene/scene.hpp",
              "return starts_steady && k == 0 ?", "return starts_steady && k == 1 ?",
              "a history that begins with steady rolling begins at rest",

@@ -2,14 +2,12 @@
 // Friction that falls steeply without memory has several states: rollers at 45 m/s, of which
 // CONTACT finds three by different first guesses (E. A. H. Vollebregt & H. M. Schuttelaars, J.
 // Sound Vib. 331 (2012), 2141; example veldep_fric of the open version r2707, cases 1, 2 and 4), on
-// CONTACT's elements with its difference.
-#include "case/reading/case_reader.hpp"
+// CONTACT's elements with its difference (its steps from fast sliding: the book).
 #include "contact/iteration/tangential.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "contact/solve/point_motion.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
-#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/test.hpp"
 
@@ -175,55 +173,6 @@ TEST(SeveralStates, RollersStickAndSlipFromStepToStepUnlessFrictionRemembers) {
   Rollers remembering(1e-3);
   EXPECT_FALSE(remembering.steady(-0.001).tangential.feedback);
   EXPECT_EQ(remembering.states(), 1);
-}
-
-TEST(SeveralStates, StepsFromFastSlidingAreContacts) {
-  // As rollfem convert writes cases 3 to 14, and FX/FSTAT/FN as CONTACT prints it. Endless rollers
-  // in place of elements of 200 mm make 0.13 % here.
-  const std::string text = R"(
-[load]
-normal_force = 622216.0
-[friction]
-coefficient = 0.3
-law = "exponential"
-kinetic_coefficient = 0.18
-half_velocity = 100.0
-branch = "sliding"
-[wheel]
-young_modulus = 209920.0
-poisson_ratio = 0.28
-[rail]
-young_modulus = 209920.0
-poisson_ratio = 0.28
-[geometry]
-shape = "line"
-width = 200.0
-relative_radius = 460.0
-reference_distance = 200.0
-[rolling]
-problem = "transient"
-speed = 45e3
-upwind_order = "first"
-longitudinal_creepage = [-0.0009999)";
-  std::string steps;
-  for (int k = 0; k < 11; ++k) steps += ", -0.001";
-  const contact::ModelResult result =
-      halfspace::run_halfspace(contact::parse_case(text + steps + R"(]
-[history]
-start = "steady"
-step_length = 0.1
-[contact_grid]
-cell_size = [0.1, 200.0]
-extent = [9.2, 200.0]
-middle = [-0.05, 0.0]
-)",
-                                                   "rollers.toml"),
-                               {});
-  const std::vector<double> printed{0.5941, 0.5702, 0.5739, 0.5774, 0.5806, 0.5835,
-                                    0.5860, 0.5882, 0.5714, 0.5751, 0.5786, 0.5817};
-  ASSERT_EQ(result.points.size(), printed.size());
-  for (std::size_t k = 0; k < printed.size(); ++k)
-    EXPECT_NEAR(result.points[k].longitudinal_force / sliding_force, printed[k], 3e-3) << k;
 }
 
 TEST(SeveralStates, ResultsSayThatThereAreSeveral) {

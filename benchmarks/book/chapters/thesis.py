@@ -8,6 +8,7 @@ from matplotlib import pyplot as plt
 from .. import closed_forms, published, style
 from ..chapter import Chapter, Cost, Row, Table, closest
 from ..page import number, percent
+from .conditions import condition_rows
 from .work import force_rows, work_rows
 
 MODELS = ("hertz", "fastsim", "strip", "halfspace", "fem")
@@ -283,7 +284,7 @@ def thesis_cases(bench):
         "also at 40 with CONTACT's first-order difference in both programs. FEM minus half-space, 0.6 % of mu at small "
         "creepage (next chapter), is within the tolerance. The 2012 study (TU Graz) is shown for comparison only.",
         [*_normal_rows(results), *_curve_rows(bench, results), *_rows_with_contacts_slip(bench), *_grid_rows(bench),
-         *_bar_rows(bench, results), *_theory_rows(bench), *force_rows(bench), *work_rows(bench)], tables=[*_beside(results), _costs(results)],
+         *_bar_rows(bench, results), *_theory_rows(bench), *force_rows(bench), *work_rows(bench), *condition_rows(bench)], tables=[*_beside(results), _costs(results)],
         figures=[(_curves(bench, results), "Creep curves of the six cases, and what other models and CONTACT differ by from the half-space"),
                  (_paths(bench, results), "Tangential traction along rolling through the middle at 0.2 % creepage")],
         cost=cost,

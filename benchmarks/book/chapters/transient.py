@@ -112,6 +112,29 @@ def _steady_start_rows(bench):
     return [*rows, farthest("steady start, friction that remembers", falling, falling[0], 0.01)]
 
 
+def _long_step_rows(bench):
+    """Bars hold the steady start that goes on over steps of any length, and the same way in short ones."""
+    motion = "longitudinal_creepage = 0.0015\nlateral_creepage = 0.0007\nspin = 2e-4"
+
+    def force(point):
+        return point["longitudinal_force"], point.bar("longitudinal_force")
+    steady, rest = [], []
+    for part in (0.1, 0.25, 0.5, 1.0, 2.0, 20.0):
+        (start, unsure), *others = map(force, _rolled(bench, f"long_{part}", motion, 16,
+                                                      f'steps = 5\nstep_length = {part * PATCH!r}\nstart = "steady"'))
+        for value, bar in others:
+            steady.append(Row(f"steps of {part:g} patches go on: F_x in its bar", "N", start, value, 1.0, of=bar + unsure, of_words="the bar",
+                              by="steady start"))
+            assert bar < 3 * abs(value - start) + 0.03 * SLIDING
+    for part in (0.125, 0.25, 0.5, 1.0, 3.0):
+        pieces = round(16 * part)
+        whole = _rolled(bench, f"whole_{part}", motion, 16, f"steps = 3\nstep_length = {part * PATCH!r}")
+        divided = _rolled(bench, f"divided_{part}", motion, 16, f"steps = {3 * pieces}\nstep_length = {PATCH / 16!r}")
+        rest += [Row(f"steps of {part:g} patches from rest: F_x in its bar", "N", divided[(k + 1) * pieces - 1]["longitudinal_force"],
+                     value, 1.0, of=bar, of_words="the bar", by="short steps") for k, (value, bar) in enumerate(map(force, whole))]
+    return [closest(steady), closest(rest)]
+
+
 _BALL = """[load]
 normal_force = 0.4705
 [friction]
@@ -167,7 +190,7 @@ def transient(bench):
     distance = [p["distance"] for p in model.points]
     force = [p["traction_coefficient"] for p in model.points]
     rows = [Row("-F_x/F_z after 28.8 mm", "", end, force[-1], 0.008, of=0.55, of_words="mu"), *_limit_rows(bench),
-            *_forced_rows(bench), *_steady_start_rows(bench), *_contact_rows(bench),
+            *_forced_rows(bench), *_steady_start_rows(bench), *_long_step_rows(bench), *_contact_rows(bench),
             Row("largest traction beyond its bound at any step", "MPa", 0.0, max(_beyond(p) for p in model.points), 1e-12,
                 of=0.55 * model.points[0]["max_pressure"], of_words="mu p0")]
     figure, axis = plt.subplots(figsize=(4.6, 3.0))

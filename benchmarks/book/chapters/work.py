@@ -13,7 +13,7 @@ _CASE = """[load]
 coefficient = 0.55
 [wheel]
 rolling_radius = 405.0
-transverse_radius = inf
+transverse_radius = {across_wheel}
 young_modulus = {modulus}
 [rail]
 transverse_radius = {rail}
@@ -25,10 +25,11 @@ elements_across = {across}
 """
 
 
-def _run(bench, name, motion, across, models=("halfspace",), rail=500.0, modulus=210e3, load="normal_force = 50e3", more=""):
+def run_case(bench, name, motion, across, models=("halfspace",), rail=500.0, modulus=210e3, load="normal_force = 50e3", more="",
+             across_wheel="inf"):
     """Case b, or a on a rail of 2000 mm; `motion`: (xi, eta, spin) by load point, or lists by their keys."""
     lists = motion if isinstance(motion, dict) else dict(zip(("longitudinal_creepage", "lateral_creepage", "spin"), map(list, zip(*motion))))
-    text = _CASE.format(load=load, rail=rail, modulus=modulus, across=across, more=more,
+    text = _CASE.format(load=load, rail=rail, modulus=modulus, across=across, more=more, across_wheel=across_wheel,
                         rolling="\n".join(f"{key} = {values}" for key, values in lists.items()))
     return bench.run_text(f"work_{name}_{across}", text, models)
 
@@ -51,7 +52,7 @@ def _whole(model):
 def _sliding_rows(bench):
     """w(y) = mu p0 a pi/2 xi (1 - y^2/b^2) in full sliding: elastic slip does no work in a symmetric strip. FASTSIM's parabolic bound
     has 16/9 and the power 3/2."""
-    rows, result = [], _run(bench, "sliding", [(0.05, 0.0, 0.0)], 40, ["halfspace", "fastsim"])
+    rows, result = [], run_case(bench, "sliding", [(0.05, 0.0, 0.0)], 40, ["halfspace", "fastsim"])
     for name, factor, power, within in (("halfspace", np.pi / 2, 1.0, 2e-3), ("fastsim", 16 / 9, 1.5, 5e-3)):
         model = _whole(result[name])
         t = model.y / B
@@ -83,10 +84,10 @@ def _line_rows(bench):
 def _small_rows(bench):
     """Where hardly an element slips the work is that of the linear theory, and its place that of fine grids."""
     creepages, rows = [(1e-5, 0.0, 0.0), (1e-4, 0.0, 0.0), (5e-4, 0.0, 0.0)], []
-    linear = _power(_run(bench, "linear", creepages[:1], 40, ["linear"])["linear"].points[0])
-    fine = _run(bench, "small", creepages, 96)["halfspace"]
+    linear = _power(run_case(bench, "linear", creepages[:1], 40, ["linear"])["linear"].points[0])
+    fine = run_case(bench, "small", creepages, 96)["halfspace"]
     for across in (12, 20, 40):
-        model = _whole(_run(bench, "small", creepages, across)["halfspace"])
+        model = _whole(run_case(bench, "small", creepages, across)["halfspace"])
         rows.append(Row(f"xi = 1e-5, {across} across: work", "N", linear, model.points[0]["frictional_work"], 0.5 / across, by="linear theory"))
         overlap = 0.5 * (model.dy + fine.dy) - np.abs(fine.y[None, :] - model.y[:, None])
         overlap = np.clip(overlap, 0, fine.dy) / model.dy
@@ -104,7 +105,7 @@ def _small_rows(bench):
 
 def _converging_rows(bench):
     """The power of the creep forces on any grid, and the largest work of a row."""
-    points = {across: _whole(_run(bench, "all", [(0.002, 0.001, 1e-4)], across)["halfspace"]).points[0] for across in (20, 40, 80)}
+    points = {across: _whole(run_case(bench, "all", [(0.002, 0.001, 1e-4)], across)["halfspace"]).points[0] for across in (20, 40, 80)}
     fine, rows = points[80], []
     for across, allowed in ((20, 0.01), (40, 0.005), (80, None)):
         point = points[across]
@@ -116,7 +117,7 @@ def _converging_rows(bench):
     # What elements sum up by themselves lacks what they do not resolve.
     missing = []
     for across in (20, 40):
-        model = _run(bench, "all", [(0.002, 0.001, 1e-4)], across)["halfspace"]
+        model = run_case(bench, "all", [(0.002, 0.001, 1e-4)], across)["halfspace"]
         fields = model.points[0].fields
         own = -model.dx * model.dy * sum(np.sum(fields[f"traction_{axis}"] * fields[f"slip_{axis}"]) for axis in "xy")
         missing.append(abs(model.points[0]["creepage_work"] / own - 1))
@@ -129,7 +130,7 @@ def _converging_rows(bench):
 
 def _unlike_rows(bench):
     """Pressure of unlike materials, shifted ahead by friction, closes the distance behind it: rolling resistance."""
-    model = _run(bench, "unlike", [(1e-3, -5e-4, 2e-4)], 40, modulus=1.5e5)["halfspace"]
+    model = run_case(bench, "unlike", [(1e-3, -5e-4, 2e-4)], 40, modulus=1.5e5)["halfspace"]
     point = model.points[0]
     power = _power(point)
     resistance = model.dx * model.dy * np.sum(point.fields["pressure"] * model.x[None, :]) / 405.0
@@ -145,13 +146,13 @@ def _model_rows(bench):
     without spin."""
     names, rows = ["carter", "fastsim", "fastrip", "strip"], []
     others = ["hertz", "linear", "vermeulen-johnson", "polach"]
-    result = _run(bench, "models", [(0.002, 0.0, 0.0)], 20, ["halfspace", *names, *others], 2000.0)
+    result = run_case(bench, "models", [(0.002, 0.0, 0.0)], 20, ["halfspace", *names, *others], 2000.0)
     half = result["halfspace"].points[0]["frictional_work"]
     rows = [Row("case a, xi = 0.2 %: work over the half-space's", "", 1.0, _whole(result[name]).points[0]["frictional_work"] / half, 0.15,
                 by=name) for name in names]
     assert all("max_pass_work" not in result[name].points[0].scalars for name in others)
     for flexibilities in ("three", "one"):
-        spinning = _run(bench, f"spin_{flexibilities}", [(2e-5, 0.0, 0.0), (1e-3, 5e-4, 3e-4)], 12, names[1:], 2000.0,
+        spinning = run_case(bench, f"spin_{flexibilities}", [(2e-5, 0.0, 0.0), (1e-3, 5e-4, 3e-4)], 12, names[1:], 2000.0,
                         more=f'[fastsim]\nflexibilities = "{flexibilities}"')
         for name in names[1:]:
             for point in _whole(spinning[name]).points:
@@ -170,15 +171,15 @@ def work_rows(bench):
 def force_rows(bench):
     """Prescribed forces give back the creepages of their forces, also at a given approach."""
     creepages = [(1e-3, 0.0, 0.0), (2e-3, 1e-3, 2e-4), (-1e-3, 4e-3, 0.0)]
-    points = _run(bench, "forward", creepages, 20)["halfspace"].points
+    points = run_case(bench, "forward", creepages, 20)["halfspace"].points
     along, across = ([point[f"{direction}_force"] for point in points] for direction in ("longitudinal", "lateral"))
-    found = _run(bench, "backward", {"longitudinal_force": along, "lateral_force": [float("nan"), *across[1:]],
+    found = run_case(bench, "backward", {"longitudinal_force": along, "lateral_force": [float("nan"), *across[1:]],
                                      "spin": [spin for *_, spin in creepages]}, 20)["halfspace"].points
     rows = [closest([Row(f"creepage of given forces: {key}, load point {k + 1}", "", creepages[k][n], point[key], 2e-5,
                          of=float(np.hypot(*creepages[k][:2])), of_words="creepage") for k, point in enumerate(found)
                      for n, key in enumerate(("longitudinal_creepage", "lateral_creepage"))])]
     assert all(point.bar("longitudinal_creepage") > 0 for point in found)
-    point = _run(bench, "approach", {"longitudinal_force": -0.37221 * 50e3}, 20, rail=2000.0,
+    point = run_case(bench, "approach", {"longitudinal_force": -0.37221 * 50e3}, 20, rail=2000.0,
                  load="approach = 0.04731083")["halfspace"].points[0]
     return [*rows, Row("case a by its approach: F_z", "N", 50e3, point["normal_force"], 0.003),
             Row("case a by its approach: creepage of CONTACT's force at 0.2 %", "", 0.002, point["longitudinal_creepage"], 0.02, by="CONTACT")]
