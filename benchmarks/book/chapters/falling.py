@@ -6,6 +6,7 @@ from rollfem.point import ADHESION
 
 from .. import closed_forms, published
 from ..chapter import Chapter, Cost, Row, closest, printed
+from .over_rail import over_rail_rows
 
 FORCE, MODULUS, SPEED = 106.7e3, 82e3 / 0.72, 10e3  # N, E* in MPa, mm/s
 _CASE = """[load]
@@ -211,7 +212,7 @@ def falling_friction(bench):
         "sliding; closed forms of layers much softer than the bodies; CONTACT's modified FASTSIM (flexibilities of Kalker's printed "
         "table) for the reduced slope.",
         [_farthest("-F_x/(mu F_z) with layer and memory", curve, reached, 3e-3, "half-space, against CONTACT"),
-         *_coulomb_rows(bench), *_law_rows(bench), *_roller_rows(bench), *_layer_rows(bench), *_fastsim_rows(bench)],
+         *_coulomb_rows(bench), *_law_rows(bench), *_roller_rows(bench), *_layer_rows(bench), *_fastsim_rows(bench), *over_rail_rows(bench)],
         figures=[(bench.save(figure, "falling_friction"), "Traction curve with layer and memory")],
         cost=[Cost("the curve of 30 load points", model.seconds["total"], model.unknowns)],
         tests=["verification.FallingFriction.OfCurvedBodiesHoldsTheLawAtEveryElement", "unit.FrictionState.MemoryIsOfSecondOrderAlongTheRow"])
