@@ -239,6 +239,7 @@ TEST(JoinedPatches, OfOtherPlanesShareTheLoadOfTheWheel) {
     results.push_back(std::move(result));
   }
   ASSERT_EQ(results.size(), 2U);
+  EXPECT_GT(results[0].points[0].normal_force, results[1].points[0].normal_force);
   EXPECT_GT(std::abs(results[0].place->contact_angle - results[1].place->contact_angle), 1.0);
   EXPECT_NEAR(vertical, 60e3, 1e-6 * 60e3);
   EXPECT_NO_THROW(track::check_results(input, results));

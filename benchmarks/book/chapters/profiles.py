@@ -9,6 +9,7 @@ from matplotlib import pyplot as plt
 from .. import published, style
 from ..chapter import Chapter, Cost, Row, Table, closest
 from ..page import number
+from .balance import balance_rows
 
 
 def _draw_patches_meet(shifts, points, change):
@@ -255,7 +256,7 @@ def manchester(bench):
             patches = model.points[0]["patch_count"]
     rows = [_vertical_row(), Row("patches, at 5 mm", "", 2, patches, 1e-9, by="right wheel")]
     rows += [_column_rows(name, side, places[side]) for side in ("left", "right") for name in published.MANCHESTER_COLUMNS]
-    rows.append(_shift_of_contacts_xi(bench, places["left"][5]["xi"]))
+    rows += [_shift_of_contacts_xi(bench, places["left"][5]["xi"]), *balance_rows(bench)]
     name = bench.save(_draw_manchester(places), "manchester")
     finer, finer_cost = _flange_on_finer_elements(bench)
     return Chapter(
