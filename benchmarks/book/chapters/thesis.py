@@ -420,7 +420,7 @@ def half_space_limits(bench):
         figures=[(_limits_figure(bench, results), "FEM minus half-space along the creep curve in all cases, and the "
                   "pressure of case f across rolling")],
         cost=cost + below_cost,
-        tests=["verification.fem_curved", "verification.CurvedHalfspace.PressesHarderTheMoreThePatchIsBent"],
+        tests=["verification.fem_curved", "verification.CurvedHalfspace.SlipIsThatOfTheTurningWheel"],
         after="\n\n".join(words))
 
 
