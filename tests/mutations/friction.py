@@ -37,7 +37,7 @@ FRICTION = [
     Mutation("steady_start", "scene/scene.hpp",
              "return starts_steady && k == 0 ?", "return starts_steady && k == 1 ?",
              "a history that begins with steady rolling begins at rest",
-             ("book_friction",)),
+             ("book_transient",)),
     Mutation("layer_between", "halfspace/elasticity/circulant.cpp",
              "coefficients_.front().xx += material.layer;",
              "coefficients_.front().xx += 0.5 * material.layer;",

@@ -155,7 +155,7 @@ MUTATIONS = [
     Mutation("step_from_the_old_place", "contact/solve/point_motion.cpp",
              "4.0 * one.x + two.x) / 3.0", "4.0 * last_.x + two.x) / 3.0",
              "a step of transient rolling begins from displacements that have not moved on",
-             ("unit_history", "book_friction")),
+             ("unit_history", "book_transient")),
     Mutation("shift_from_the_old_state", "contact/solve/point_motion.cpp",
              "{{rigid_shift.x - last_.x, rigid_shift.y - last_.y}, Motion",
              "{{rigid_shift.x, rigid_shift.y}, Motion",
