@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The names of the package that users call."""
 from . import wear
-from ._core import Progress, models, wheelset_columns
+from ._core import Progress, models
 from ._core import version as _version
 from .case import Case
 from .errors import FileError, InputError, SolveError
@@ -25,8 +25,6 @@ attributes(Point, lambda self, name: self.scalars.get(name), {name: text_of(name
 attributes(Point, lambda self, name: self.fields.get(name),
            {name: f"[ny, nx], {field.unit}: {field.description}{'; ' * bool(field.sign)}{field.sign}"
             for name, field in FIELDS.items()})
-attributes(Wheelset, lambda self, name: self._found[name],
-           {name: f"[n], {unit}: {meaning}" for name, (unit, meaning) in wheelset_columns().items()})
 # The seconds of a model are those of its stages.
 attributes(ModelResult, ModelResult.values,
            {name: f"Over load points. {text_of(name)}" for name in QUANTITIES if name != "seconds"})

@@ -24,11 +24,14 @@ def notes(kind: type) -> dict[str, Any]:
 
 def documented(kind: Kind) -> Kind:
     """Lists the fields of a class in its docstring, as what they are annotated with."""
-    rows = []
-    for name, hint in notes(kind).items():
-        of_type = "" if hint.__origin__ is Any else f" ({inspect.formatannotation(hint.__origin__)})"
-        rows.append(textwrap.fill(f"{name}{of_type}: {'; '.join(hint.__metadata__)}", 116, initial_indent=4 * " ",
-                                  subsequent_indent=8 * " ", break_on_hyphens=False))
+    return listed(kind, {name + ("" if hint.__origin__ is Any else f" ({inspect.formatannotation(hint.__origin__)})"):
+                         "; ".join(hint.__metadata__) for name, hint in notes(kind).items()})
+
+
+def listed(kind: Kind, attributes: Mapping[str, str]) -> Kind:
+    """Lists attributes of a class in its docstring."""
+    rows = (textwrap.fill(f"{name}: {words}", 116, initial_indent=4 * " ", subsequent_indent=8 * " ", break_on_hyphens=False)
+            for name, words in attributes.items())
     kind.__doc__ = "\n".join([inspect.cleandoc(kind.__doc__ or ""), "", "Attributes:", *rows])
     return kind
 

@@ -3,25 +3,27 @@
 import io
 import os
 from html import escape
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
 from . import _core, plot
 from .case import Case, CaseLike
 from .errors import InputError
-from .frames import InFile, Tabular, documented, html_table
-from .point import Named
+from .frames import InFile, Tabular, documented, html_table, listed
 from .solving import checked
 
 
-class Wheelset(Named, Tabular):
-    """A rigid wheelset over its lateral shift, from the middle to the right; the other side is the mirror image. Columns are
-    arrays by name: wheelset.conicity_wave; nan where there is none. For conicities and the wavelength the shift is the
-    amplitude."""
+class Wheelset(Tabular):
+    """A rigid wheelset over its lateral shift, from the middle to the right; the other side is the mirror image. For
+    conicities and the wavelength the shift is the amplitude; nan where there are none."""
 
     def __init__(self, title: str, columns: dict[str, np.ndarray]) -> None:
-        self.title, self._columns, self._found = title, tuple(columns), columns
+        self.title, self._columns = title, tuple(columns)
+        self.__dict__.update(columns)
+
+    if TYPE_CHECKING:
+        def __getattr__(self, name: str) -> np.ndarray: ...
 
     def figure(self) -> Any:
         """The figure of `rollfem wheelset`: radii, angles, conicity, wavelength.
@@ -42,6 +44,10 @@ class Wheelset(Named, Tabular):
         shown = {name: unit for name, (unit, _) in _core.wheelset_columns().items() if name.split("_")[0] not in ("roll", "y")}
         return html_table(repr(self), [f"{name} ({unit})" for name, unit in shown.items()],
                           zip(*(getattr(self, name)[::step] for name in shown)))
+
+
+listed(Wheelset, {f"{name} (numpy.ndarray)": f"{unit}; {meaning}"
+                  for name, (unit, meaning) in _core.wheelset_columns().items()})
 
 
 def wheelset(case: CaseLike, /, reach: float = 10.0, step: float = 0.1, **sections: Any) -> Wheelset:
