@@ -58,12 +58,14 @@ class Reading(unittest.TestCase):
         self.assertEqual((read.title, read.case_text), (self.result.title, self.result.case_text))
         self.assertEqual((read.inputs["wheel.young_modulus"], read.inputs["rail.poisson_ratio"]), (207e3, 0.3))
         for one, other in zip(self.result.models, read.models, strict=True):
-            for name in ("name", "label", "key", "x", "y", "dx", "dy", "unknowns", "contact_elements", "seconds", "notes", "place"):
+            for name in ("name", "label", "key", "x", "y", "dx", "dy", "unknowns", "contact_elements", "seconds", "notes", "place",
+                         "traits"):
                 self.same(getattr(one, name), getattr(other, name), name)
             for point, stored in zip(one.points, other.points, strict=True):
                 for name in ("scalars", "fields", "error_estimate", "no_bar", "model_error", "richardson", "stress_maxima", "subsurface",
                              "pass_work"):
                     self.same(getattr(point, name), getattr(stored, name), name)
+        self.assertTrue("frictionless" in read["hertz"].traits and "has_stress" in read["halfspace"].traits)
         self.assertTrue(read["halfspace"].points[1].stress_maxima and read["halfspace"].points[1].subsurface)
 
     def refused(self, data):
