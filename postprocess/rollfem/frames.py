@@ -138,9 +138,9 @@ class Written(Tabular):
     drawn_from = ""  # the file that reports are drawn from; otherwise the folder
 
     @property
-    def labels(self) -> Mapping[str, str]:
+    def labels(self) -> dict[str, str]:
         """Of the models in figures, by name."""
-        return {}
+        return {model.name: model.label for model in getattr(self, "models", ())}
 
     def _contents(self) -> Mapping[str, str | bytes]:
         """The files by their names."""

@@ -74,7 +74,7 @@ class Files(Written):
     @property
     def labels(self) -> dict[str, str]:
         """Of the models in figures, by name."""
-        return dict(self.data.get("labels", {}))
+        return self.data.get("labels") or super().labels
 
     def columns(self) -> dict[str, np.ndarray]:
         """The CSV file.
@@ -245,11 +245,6 @@ class Stress(Files):
             StressSet(s["name"], s["kind"], s["body"], (s["points_across"], s["points_along"]),
                       columns[entry["key"], entry["point"], s["name"], s["body"]], s["largest"], s["moved"]) for s in entry["sets"]],
             entry, entry.get("label", "")) for entry in data["models"]], folder=folder)
-
-    @property
-    def labels(self) -> dict[str, str]:
-        """Of the models in figures, by name."""
-        return {model.name: model.label for model in self.models}
 
     @cached_property
     def contents(self) -> dict[str, str]:  # type: ignore[override]

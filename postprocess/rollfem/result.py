@@ -308,11 +308,6 @@ class Result(Written):
         return made
 
     @property
-    def labels(self) -> dict[str, str]:
-        """Of the models in figures, by name."""
-        return {model.name: model.label for model in self.models}
-
-    @property
     def prescribed_forces(self) -> bool:
         """Whether creepages (shifts) were found for prescribed forces."""
         return not {"rolling.longitudinal_force", "rolling.lateral_force"}.isdisjoint(self.inputs)
@@ -406,6 +401,12 @@ class Result(Written):
         return html_table(repr(self), ["model", "point_index", *heads()],
                           ([model.key, k, *(model.values(name)[k] for name in SHOWN)]
                            for model in self.models for k in range(len(model))))
+
+
+def exact_one(models: Sequence[ModelResult], k: int, name: str, resolved: float) -> ModelResult | None:
+    """The model whose value of a quantity is exact at load point k, if its model error is not resolved."""
+    return next((m for m in models if k < len(m) and m[k].no_bar.get(name) == "exact"
+                 and m[k].model_error.get(name, 0.0) <= resolved), None)
 
 
 def models_of(core: "CoreResult") -> list[ModelResult]:

@@ -10,7 +10,7 @@ from .. import _core
 from ..files import cell, quoted, sealed_json
 from ..outputs import Comparison
 from ..point import QUANTITIES, Point, Quantity
-from ..result import ModelResult, Result, place_label
+from ..result import ModelResult, Result, exact_one, place_label
 from .levels import known
 
 #: What may be found for a prescribed force: symbol, and the force that is then no result.
@@ -128,17 +128,6 @@ def reference_of(models: Sequence[ModelResult], order: Iterable[str]) -> ModelRe
     return next((names[name] for name in order if name in names), models[0] if models else None)
 
 
-def _exact(models: Sequence[ModelResult], base: ModelResult, k: int, name: str) -> ModelResult | None:
-    """The model whose value is exact, and whose model error the reference does not resolve."""
-    if k >= len(base):
-        return None
-    resolved = error_of(base[k], name) or 0.0
-    for model in models:
-        if k < len(model) and model[k].no_bar.get(name) == "exact" and model[k].model_error.get(name, 0.0) <= resolved:
-            return model
-    return None
-
-
 def _refer(number: Number, base: ModelResult, friction: float) -> None:
     point, name = base[number.point - 1], number.quantity
     value, scale = value_of(point, name), whole_of(point, name, friction)
@@ -164,8 +153,8 @@ def _numbers_of_patch(models: Sequence[ModelResult], friction: float, references
                 number = Number(place_label(model.place), model.name, k + 1, point.creepages, name, value, error_of(point, name),
                                 point.model_error.get(name))
                 base = bases[with_friction]
-                if base and base.name not in references[:1]:
-                    base = _exact(models, base, k, name) or base
+                if base and base.name not in references[:1] and k < len(base):
+                    base = exact_one(models, k, name, error_of(base[k], name) or 0.0) or base
                 if base and base is not model and k < len(base):
                     _refer(number, base, friction)
                 yield number

@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 
+from ..result import exact_one
+
 # For the parts of a key (xi, eta, spin): the scalar, the symbol in figures and on pages, the factor, the unit, and the
 # axis label.
 PARTS = (("longitudinal_creepage", r"$\xi$", "ξ", 100, "%", r"longitudinal creepage $\xi$ [%]"),
@@ -80,9 +82,7 @@ def reference_for(result, quantity):
     best = reference_for_patch(result)
     if best is None or not best.points or best.name == result.reference:
         return best
-    resolved = best.points[0].error_estimate.get(quantity, 0.0)
-    return next((m for m in result.models if m.points and m.points[0].no_bar.get(quantity) == "exact"
-                 and m.points[0].model_error.get(quantity, 0.0) <= resolved), best)
+    return exact_one(result.models, 0, quantity, best.points[0].error_estimate.get(quantity, 0.0)) or best
 
 
 def reference_for_forces(result):
