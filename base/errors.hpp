@@ -33,7 +33,7 @@ class Failure : public std::runtime_error {
   const char* what() const noexcept override { return words_.c_str(); }
   std::string text() const { return std::runtime_error::what(); }
   virtual Cause cause() const = 0;
-  /// Adds what of a place around this one is not known yet.
+  /// Inserts the parts of an outer place that this one does not begin with.
   void put_at(const FailurePlace& outer) {
     const auto [own, other] =
         std::mismatch(place_.begin(), place_.end(), outer.begin(), outer.end());

@@ -32,7 +32,7 @@ enum class Kept {
   within,    ///< records alone: what the program itself needs
 };
 
-/// `part`: a member, or a function of the struct for what follows from them.
+/// `part`: a member, or a member function for a value that follows from the members.
 template <Kept who, class Whole, class Part>
 struct Member {
   static constexpr Kept kept = who;

@@ -31,18 +31,19 @@ namespace rollfem::contact {
 namespace {
 
 // ThreadSanitizer does not see how libtbb, which is built without it, hands parts over and waits
-// for them. A part may read nothing of its caller's before it has taken hold.
+// for them, so these calls tell it: what one thread did before release() has happened before what
+// another one does after acquire(). A part may read its caller's data only after acquire().
 char handed_over;
 #ifdef __SANITIZE_THREAD__
-void let_go(void* at) {
+void release(void* at) {
   __tsan_release(at);
 }
-void take_hold(void* at) {
+void acquire(void* at) {
   __tsan_acquire(at);
 }
 #else
-void let_go(void*) {}
-void take_hold(void*) {}
+void release(void*) {}
+void acquire(void*) {}
 #endif
 
 /// oneTBB starts no more threads than the machine has cores unless it is asked to.
@@ -173,7 +174,7 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
   Arena& arena = arena_here();
   FirstError error;
   const auto part = [&](std::size_t k) {
-    take_hold(&handed_over);
+    acquire(&handed_over);
     if (error.before(k)) return;
     const Inside inside(arena, true);
     try {
@@ -181,7 +182,7 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
     } catch (...) {
       error.take(k);
     }
-    let_go(&error);
+    release(&error);
   };
   tbb::task_group_context context(tbb::task_group_context::bound, as_this_thread);
   const bool nested = within_part;
@@ -191,14 +192,14 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
   // Within a part a thread that waits takes up no other part of the outer loop, whose memory and
   // time would add to this one's. A thread that waits for the outermost loop helps within its
   // parts.
-  let_go(&handed_over);
+  release(&handed_over);
   arena.tasks->execute([&] {
     if (nested)
       tbb::this_task_arena::isolate(loop);
     else
       loop();
   });
-  take_hold(&error);
+  acquire(&error);
   error.rethrow();
 }
 

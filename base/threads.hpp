@@ -49,8 +49,8 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
 /// Calls work() so that libraries which use oneTBB themselves have these threads and no others.
 void within_threads(const std::function<void()>& work);
 
-/// Calls work() so that this thread, where it waits for others, takes up nothing outside `work`: it
-/// may hold a lock.
+/// Calls work() so that this thread, while it waits for others, runs no tasks but those of `work`:
+/// the caller may hold a lock.
 void isolated(const std::function<void()>& work);
 
 /// The same as for_each_index for pieces [begin, end) of a range. Their number depends on `size`

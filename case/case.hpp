@@ -29,7 +29,7 @@ struct Body {
   Material material;
   std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by rollfem
   ProfileSource profile;  ///< instead of the transverse radius
-  std::optional<BodyPlasticity> plasticity;  ///< not given: it is elastic
+  std::optional<BodyPlasticity> plasticity;  ///< unset: elastic
 };
 
 /// Upper body (1): a surface of revolution about the axle.
@@ -49,48 +49,49 @@ enum class ContactShape {
   line,   ///< endless rollers
 };
 
-/// Which state to find where a law that falls steeply has several.
+/// State to find where a steeply falling friction law allows several.
 enum class FrictionBranch {
-  sticking,  ///< with the most friction, which grows out of small creepage
-  sliding,   ///< with the least, to which fast sliding slows down
+  sticking,  ///< the one with the most friction, as creepage grows from 0
+  sliding,   ///< the one with the least friction, as fast sliding slows down
 };
 
-/// Fall of friction, from its coefficient at rest, once the surfaces slide.
+/// How the coefficient of friction falls with the slip velocity.
 struct FrictionFall {
   FallShape shape = FallShape::none;
   std::optional<double> kinetic_coefficient;  ///< mu_kin
   std::optional<double> half_velocity;        ///< s_h1, mm/s
-  double second_part = 0.0;                   ///< mu_2; mu_1 is the rest
+  double second_part = 0.0;                   ///< mu_2; mu_1 is the rest of the fall
   double second_half_velocity = 1.0;          ///< s_h2, mm/s
-  std::optional<double> polach_a;             ///< mu_kin/mu, in place of mu_kin
-  std::optional<double> polach_b;             ///< s/m, in place of s_h1
-  /// Of FallShape::constants; where not given, their default.
+  std::optional<double> polach_a;             ///< mu_kin/mu, instead of mu_kin
+  std::optional<double> polach_b;             ///< s/m, instead of s_h1
+  /// Values of FallShape::constants; unset: their defaults.
   std::array<std::optional<double>, FallShape::most_constants> constants{};
-  double memory_distance = 0.0;  ///< d_c, mm; 0: mu follows the slip at once
+  double memory_distance = 0.0;  ///< d_c, mm; 0: mu follows the slip without delay
   double memory_velocity = 1.0;  ///< s_0, mm/s
   FrictionBranch branch = FrictionBranch::sticking;
 };
 
-/// Friction over the rail: its numbers at points, linear between them and constant outside.
+/// Friction that varies over the rail: its numbers at some points, interpolated linearly between
+/// them and constant outside. The points lie along one of the three coordinates.
 struct FrictionVariation {
-  /// Kind of law and memory are those of the case.
+  /// The kind of law and the memory are the same at all points.
   struct Point {
     double coefficient = 0.0;
     FrictionFall fall;
   };
   std::vector<Point> points;             ///< empty: the same everywhere
-  std::vector<double> inclination;       ///< rad, ascending, of the points, or
-  std::vector<double> track_position;    ///< mm, ascending, of the points, or
-  std::vector<double> lateral_position;  ///< y in mm, ascending, of the points; without profiles
+  std::vector<double> inclination;       ///< rad, ascending
+  std::vector<double> track_position;    ///< mm, ascending
+  std::vector<double> lateral_position;  ///< y in mm, ascending; without profiles
 };
 
-/// A layer between the bodies that gives way to shear alone.
+/// A layer between the bodies that is compliant in shear only.
 struct Layer {
-  std::optional<double> thickness{};      ///< mm; not given: it is stiff until it yields
+  std::optional<double> thickness{};      ///< mm; unset: rigid until it yields
   std::optional<double> shear_modulus{};  ///< MPa
-  std::optional<double> yield_stress{};   ///< MPa; not given: it is elastic
-  std::optional<double> hardening{};      ///< MPa per mm of plastic displacement; not given: 0
-  /// mm/MPa.
+  std::optional<double> yield_stress{};   ///< MPa; unset: elastic
+  std::optional<double> hardening{};      ///< MPa per mm of plastic displacement; unset: 0
+  /// Shear displacement by traction, mm/MPa.
   double compliance() const { return thickness.value_or(0.0) / shear_modulus.value_or(1.0); }
 };
 
@@ -98,8 +99,8 @@ struct Layer {
 struct ContactShapeCase {
   ContactShape shape = ContactShape::point;
   double width = 1.0;                        ///< mm, width to which all forces refer
-  std::optional<double> relative_radius;     ///< mm; not given: the wheel's rolling radius
-  std::optional<double> reference_distance;  ///< mm; not given: the relative radius
+  std::optional<double> relative_radius;     ///< mm; unset: the wheel's rolling radius
+  std::optional<double> reference_distance;  ///< mm; unset: the relative radius
 };
 
 /// Exactly one of the first three is given; vertical_force only with profiles. Where the load comes
@@ -181,7 +182,7 @@ struct StepMotion {
 
 /// A step with its load.
 struct HistoryStep : StepMotion {
-  std::optional<double> normal_force;  ///< N; neither: that of the whole case
+  std::optional<double> normal_force;  ///< N; without it and the approach, the load of the case
   std::optional<double> approach;      ///< mm
 };
 
@@ -196,7 +197,7 @@ struct DistanceOptions {
 struct GivenPressure {
   double semi_axis_x = 0.0;   ///< a, mm
   double semi_axis_y = 0.0;   ///< b, mm
-  double max_pressure = 0.0;  ///< p0, MPa; the reader finds it from Load::normal_force if need be
+  double max_pressure = 0.0;  ///< p0, MPa; if not given, computed from Load::normal_force
 };
 
 struct GridOptions {
@@ -275,12 +276,12 @@ struct OutputOptions {
 struct TableOptions {
   std::vector<double> axis_ratio;     ///< a/b; empty: the case's ellipse
   std::vector<double> lateral_shift;  ///< mm, with profiles; empty: over ratios
-  /// mm; lateral_shift then holds the first and the last shift.
+  /// mm; if given, lateral_shift holds only the first and the last shift.
   std::optional<double> lateral_shift_step;
-  std::vector<double> load, speed;  ///< N, mm/s, each with forces of its own; empty: the case's
+  std::vector<double> load, speed;  ///< N, mm/s, further axes; empty: the values of the case
   std::optional<std::array<int, 3>> points;         ///< of xi', eta', phi'
   std::array<double, 3> largest{3.0, 3.0, 5.0};     ///< xi', eta', phi'
-  std::vector<double> longitudinal, lateral, spin;  ///< instead of both; >= 0
+  std::vector<double> longitudinal, lateral, spin;  ///< instead of points and largest; >= 0
   int check_points = 200;                           ///< between grid points, at random
 };
 
@@ -293,8 +294,8 @@ struct Case : ModelOptions {
   std::vector<std::string> accuracy_of{"max_pressure", "semi_axis_x", "semi_axis_y",
                                        "traction_coefficient"};
   Load load;
-  double friction_coefficient = 0.0;  ///< at rest; the largest where it varies
-  FrictionFall friction_fall;         ///< of the first point where it varies
+  double friction_coefficient = 0.0;  ///< at rest; if friction varies, the largest
+  FrictionFall friction_fall;         ///< if friction varies, that of the first point
   FrictionVariation friction_variation;
   std::optional<Layer> layer;
   Wheel wheel;
@@ -306,8 +307,8 @@ struct Case : ModelOptions {
   Rolling rolling;
   std::vector<HistoryStep>
       history;  ///< as long as rolling.creepages for shift and transient, else empty
-  /// The first step of a transient is steady rolling, which the others continue; false: at rest
-  /// before.
+  /// Whether the first step of a transient is steady rolling, which the others continue; otherwise
+  /// the bodies are at rest before it.
   bool starts_steady = false;
   DistanceOptions undeformed_distance;
   std::optional<GivenPressure> given_pressure;
@@ -318,9 +319,9 @@ struct Case : ModelOptions {
   /// Whether wheel and rail are given by profiles: the case is not solved directly but converted
   /// into scenes.
   bool has_profiles() const { return !wheel.profile.name.empty() || !rail.profile.name.empty(); }
-  /// Whether wheel or rail yields: rolling.creepages are then those of the passes.
+  /// Whether wheel or rail yields: each entry of rolling.creepages is then a pass.
   bool yields() const { return wheel.plasticity || rail.plasticity; }
-  /// Whether the position of the wheel is given in place of its load.
+  /// Whether the position of the wheel is given instead of its load.
   bool sinks() const { return load.approach || !wheelset.height.empty(); }
 };
 
