@@ -39,12 +39,6 @@ CurveValue BelowSurface::own(double y) const {
   return {sign * drop.value, sign * drop.slope, 0.0};
 }
 
-Vector3 BelowSurface::from_axle(const Vector3& place) const {
-  Vector3 result{};
-  for (std::size_t d = 0; d < 3; ++d) result[d] = place[d] - axle_.point[d];
-  return result;
-}
-
 /// Second derivative of the common surface, 1/mm.
 double BelowSurface::bend(double y) const {
   return (surface_.climb(y + bend_step) - surface_.climb(y - bend_step)) / (2.0 * bend_step);
@@ -68,16 +62,14 @@ Vector3 BelowSurface::turned_direction(const Vector3& v, double angle) const {
 }
 
 Vector3 BelowSurface::turned_about_axle(const Vector3& in_section, double angle) const {
-  Vector3 place = turned_direction(from_axle(in_section), angle);
-  for (std::size_t d = 0; d < 3; ++d) place[d] += axle_.point[d];
-  return place;
+  return plus(turned_direction(plus(in_section, axle_.point, -1.0), angle), axle_.point);
 }
 
 BelowSurface::Coordinates BelowSurface::coordinates(const Vector3& place) const {
   Vector3 section = place;
   double angle = 0.0;
   if (turns_) {
-    const Vector3 radial = from_axle(place);
+    const Vector3 radial = plus(place, axle_.point, -1.0);
     angle = std::atan2(radial[0], dot(radial, down_));
     section = turned_about_axle(place, -angle);
   }
@@ -120,7 +112,7 @@ Vector3 BelowSurface::place(double x, double arc, double depth) const {
 Vector3 BelowSurface::below(double x, double y, double depth) const {
   if (!turns_) return {x, y, own(y).value + (wheel_ ? depth : -depth)};
   const Vector3 section{0.0, y, own(y).value + depth};
-  const double radius = dot(from_axle(section), down_);
+  const double radius = dot(plus(section, axle_.point, -1.0), down_);
   if (!(std::abs(x) < radius)) return {x, y, infinity};
   return turned_about_axle(section, std::asin(x / radius));
 }

@@ -41,7 +41,6 @@ class BelowSurface {
 
  private:
   CurveValue own(double y) const;
-  Vector3 from_axle(const Vector3& place) const;
   double bend(double y) const;
   double arc_of(double y) const;
   Vector3 turned_about_axle(const Vector3& in_section, double angle) const;

@@ -113,15 +113,10 @@ HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_
 }  // namespace
 
 AxlePlace axle_place(const Axle& axle, const Vector3& place) {
-  AxlePlace result;
-  for (int d = 0; d < 3; ++d) result.axial += (place[d] - axle.point[d]) * axle.direction[d];
-  double square = 0.0;
-  for (int d = 0; d < 3; ++d) {
-    result.across[d] = place[d] - axle.point[d] - result.axial * axle.direction[d];
-    square += result.across[d] * result.across[d];
-  }
-  result.radius = std::sqrt(square);
-  return result;
+  const Vector3 arm = plus(place, axle.point, -1.0);
+  const double axial = dot(arm, axle.direction);
+  const Vector3 across = plus(arm, axle.direction, -axial);
+  return {axial, std::sqrt(dot(across, across)), across};
 }
 
 double angle_about(const Axle& axle, const Vector3& across) {

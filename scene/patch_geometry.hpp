@@ -20,6 +20,11 @@ namespace rollfem::contact {
 
 using Vector3 = std::array<double, 3>;
 
+/// a + factor b.
+inline Vector3 plus(const Vector3& a, const Vector3& b, double factor = 1.0) {
+  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
+}
+
 inline double dot(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

@@ -28,8 +28,7 @@ namespace {
 
 /// The wrenches of unit resultants of a patch: this matrix times PatchSums is their wrench.
 Eigen::Matrix<double, 6, PatchSum::count> wrenches_of(const WheelRailContact& contact) {
-  contact::Vector3 arm{};
-  for (std::size_t d = 0; d < 3; ++d) arm[d] = contact.origin[d] - contact.middle[d];
+  const contact::Vector3 arm = contact::plus(contact.origin, contact.middle, -1.0);
   const auto vector = [](const contact::Vector3& v) { return Eigen::Vector3d(v[0], v[1], v[2]); };
   const auto force = [&](const contact::Vector3& axis) {
     Wrench wrench;

@@ -108,8 +108,7 @@ SurfaceFrame level_frame(const Vector3& place) {
 }
 
 Axle in_frame(const Axle& axle, const SurfaceFrame& frame) {
-  Vector3 arm{};
-  for (int d = 0; d < 3; ++d) arm[d] = axle.point[d] - frame.origin[d];
+  const Vector3 arm = contact::plus(axle.point, frame.origin, -1.0);
   const Vector3& e = axle.direction;
   return {{dot(arm, frame.x), dot(arm, frame.y), dot(arm, frame.z)},
           {dot(e, frame.x), dot(e, frame.y), dot(e, frame.z)}};
@@ -219,11 +218,9 @@ BodiesAlongWay::Rail::Point BodiesAlongWay::Rail::at(double along, double parame
   };
   const Vector3 arm = turned(at.y - axle.point[1], at.z - axle.point[2]);
   const Vector3 around = contact::cross(arm, e);
-  Point point{arm, turned(at.y_way, at.z_way), turned(at.y_across, at.z_across)};
-  for (int d = 0; d < 3; ++d) {
-    point.place[d] += axle.point[d];
-    point.by_way[d] += around[d] / rolling_radius;
-  }
+  Point point{contact::plus(arm, axle.point), turned(at.y_way, at.z_way),
+              turned(at.y_across, at.z_across)};
+  for (int d = 0; d < 3; ++d) point.by_way[d] += around[d] / rolling_radius;
   return point;
 }
 
@@ -247,8 +244,8 @@ SlopedHeight BodiesAlongWay::Rail::height_from(const Row& row, const SurfaceFram
   const double aside = std::clamp(at_plane(1), row.parameter.first(), row.parameter.last());
   double parameter = row.parameter.at(aside).value;
   for (int step = 0; step < 30; ++step) {
-    auto [arm, by_way, by_parameter] = this->at(along, parameter);
-    for (int d = 0; d < 3; ++d) arm[d] -= frame.origin[d];
+    const auto [place, by_way, by_parameter] = this->at(along, parameter);
+    const Vector3 arm = contact::plus(place, frame.origin, -1.0);
     const double defect_x = x - dot(arm, frame.x), defect_y = y - dot(arm, frame.y);
     const double a = dot(by_way, frame.x), b = dot(by_parameter, frame.x);
     const double c = dot(by_way, frame.y), d = dot(by_parameter, frame.y);
@@ -353,14 +350,13 @@ contact::WheelSurface BodiesAlongWay::wheel_around(double angle_here, double ang
 
 /// The section that points down from its tread to both sides.
 BodiesAlongWay::Level BodiesAlongWay::level() const {
-  Vector3 tread = axle_.point;
-  for (int d = 0; d < 3; ++d) tread[d] += tread_y_ * axle_.direction[d];
+  Vector3 tread = contact::plus(axle_.point, axle_.direction, tread_y_);
   Vector3 down = contact::cross(axle_.direction, contact::cross({0.0, 0.0, 1.0}, axle_.direction));
   const double length = std::sqrt(dot(down, down));
   for (double& part : down) part /= length;
   OverY part = part_about(wheel_, tread_y_);
   const double radius = rolling_radius_ + part.heights().at(tread_y_).value;
-  for (int d = 0; d < 3; ++d) tread[d] += radius * down[d];
+  tread = contact::plus(tread, down, radius);
   for (OverY::Knot& knot : part.knots) knot.z += rolling_radius_;
   const contact::HeightCurve& head = rail_->nearest(axle_.point[0]).height;
   Level level{level_frame(tread), {}, contact::infinity, -contact::infinity, {}, {}};

@@ -293,9 +293,8 @@ contact::Vector3 ahead_of(const contact::Vector3& axle) {
 }
 
 contact::Vector3 profile_origin(const contact::Axle& axle, double rolling_radius) {
-  contact::Vector3 origin = contact::cross(ahead_of(axle.direction), axle.direction);
-  for (int d = 0; d < 3; ++d) origin[d] = axle.point[d] + rolling_radius * origin[d];
-  return origin;
+  return contact::plus(axle.point, contact::cross(ahead_of(axle.direction), axle.direction),
+                       rolling_radius);
 }
 
 contact::Axle wheelset_axle(const WheelsetPose& pose, const contact::Case& input) {
@@ -316,12 +315,12 @@ contact::Axle place_axle(const WheelsetPose& pose, const contact::Case& input, b
   const contact::Vector3 centre{moved.longitudinal[side],
                                 sign * (pose.lateral_shift + moved.lateral[side]),
                                 pose.height + moved.vertical[side] - input.wheel.rolling_radius};
-  for (int d = 0; d < 3; ++d) axle.point[d] = centre[d] + middle * axle.direction[d];
+  axle.point = contact::plus(centre, axle.direction, middle);
   if (moved.roll[side] != 0.0 || moved.yaw[side] != 0.0) {
     const contact::Vector3 origin = profile_origin(axle, input.wheel.rolling_radius);
     axle.direction = axle_direction(sign, pose.yaw + moved.yaw[side], pose.roll + moved.roll[side]);
     const contact::Vector3 turned = profile_origin(axle, input.wheel.rolling_radius);
-    for (int d = 0; d < 3; ++d) axle.point[d] += origin[d] - turned[d];
+    axle.point = contact::plus(axle.point, contact::plus(origin, turned, -1.0));
   }
   return axle;
 }

@@ -59,15 +59,10 @@ struct Circle {
     return across;
   }
   Vector3 place(const Vector3& across) const {
-    Vector3 at{};
-    for (int d = 0; d < 3; ++d)
-      at[d] = axle.point[d] + axial * axle.direction[d] + radius * across[d];
-    return at;
+    return contact::plus(contact::plus(axle.point, axle.direction, axial), across, radius);
   }
   Vector3 normal(const Vector3& across) const {
-    Vector3 n{};
-    for (int d = 0; d < 3; ++d) n[d] = across[d] - by_axial * axle.direction[d];
-    return n;
+    return contact::plus(across, axle.direction, -by_axial);
   }
 };
 

@@ -410,8 +410,7 @@ class WheelSearch {
                       middle[2] + wheel.vertical[side]};
     const auto add = [&](double sign, const Vector3& velocity, double rate, const Vector3& turning,
                          const Vector3& about) {
-      Vector3 arm{};
-      for (int d = 0; d < 3; ++d) arm[d] = contact.origin[d] - about[d];
+      const Vector3 arm = contact::plus(contact.origin, about, -1.0);
       const Vector3 by_turning = contact::cross(turning, arm);
       for (int d = 0; d < 3; ++d) {
         contact.own_velocity[d] += sign * (velocity[d] + rate * by_turning[d]);
