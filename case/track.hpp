@@ -3,12 +3,20 @@
 // values; track/ turns them into scenes. Track frame: x along the track, y to the right, z down.
 #pragma once
 
+#include "base/text_fields.hpp"
+
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace rollfem::contact {
+
+/// Whether a file is a list of sections along the way: .sections, .slcs (CONTACT, of a rail) or
+/// .slcw (of a wheel).
+inline bool is_list_of_sections(const std::string& file) {
+  return ends_with(file, ".sections") || ends_with(file, ".slcs") || ends_with(file, ".slcw");
+}
 
 enum class LengthUnit { mm, m, inch };
 
@@ -48,19 +56,8 @@ struct ProfileSource {
   double rounding = 0.0;         ///< mm dropped on both sides of a kink or step
   double smoothing = 0.0;        ///< mm, scatter to be smoothed away; 0: through the points
 
-  /// Whether the name is that of a list of sections along the way: .sections, .slcs (CONTACT, of a
-  /// rail) or .slcw (of a wheel).
-  bool lists_sections() const;
+  bool lists_sections() const { return is_list_of_sections(name); }
 };
-
-inline bool ProfileSource::lists_sections() const {
-  for (const char* ending : {".sections", ".slcs", ".slcw"}) {
-    const std::string end = ending;
-    if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
-      return true;
-  }
-  return false;
-}
 
 struct Track {
   double gauge = 1435.0;       ///< mm, between the rails

@@ -13,6 +13,8 @@ namespace rollfem::convert {
 
 namespace {
 
+using contact::is_list_of_sections;
+
 void fill_profile(const ProfileFile& profile, const std::string& body,
                   const std::string& profile_folder, Equivalent& made) {
   const auto refuse = [&](bool refused, const std::string& what) {
@@ -33,13 +35,6 @@ void fill_profile(const ProfileFile& profile, const std::string& body,
             fmt::format("the profile of the {} is not smoothed as CONTACT does (SMOOTH, PRFOPT), "
                         "whose measure is another one: see {}.smoothing",
                         body, details));
-}
-
-/// Whether the profile changes along its way.
-bool has_sections(const ProfileFile& profile) {
-  contact::ProfileSource source;
-  source.name = profile.name;
-  return source.lists_sections();
 }
 
 bool on_roller(const Digits& digits) {
@@ -106,7 +101,8 @@ void fill_motion(const ContactCase& given, const Forward& forward, Equivalent& m
     made.set("wheelset", "yaw_velocity", forward.sign * vyaw / speed, "rad/mm, VYAW / VS");
   if (vroll != 0.0) made.set("wheelset", "roll_velocity", vroll / speed, "rad/mm, VROLL / VS");
   // CONTACT's planes do not climb: where the bodies do, the wheel follows them along x.
-  if (vz != 0.0 || !(has_sections(given.wheel_rail.rail) || has_sections(given.wheel_rail.wheel)))
+  if (vz != 0.0 || !(is_list_of_sections(given.wheel_rail.rail.name) ||
+                     is_list_of_sections(given.wheel_rail.wheel.name)))
     made.set("wheelset", "vertical_velocity", vz / speed, "VZ / VS");
   if (digits.F == 0)
     made.set("wheelset", "rotation_change", rotation_of(given, forward) * radius - 1.0,
@@ -182,8 +178,9 @@ void fill_wheelset(const ContactCase& given, Equivalent& made) {
   else
     made.set("load", "vertical_force", vertical, "N, on this wheel");
   made.varied["wheelset.lateral_shift"] = y;
-  if (has_sections(pair.rail)) made.varied["wheelset.track_position"] = s;
-  if (has_sections(pair.wheel)) made.varied["wheelset.wheel_angle"] = -forward.sign * pitch;
+  if (is_list_of_sections(pair.rail.name)) made.varied["wheelset.track_position"] = s;
+  if (is_list_of_sections(pair.wheel.name))
+    made.varied["wheelset.wheel_angle"] = -forward.sign * pitch;
   made.varied["wheelset.yaw"] = forward.sign * yaw;
   made.varied["wheelset.roll"] = roll;
   fill_displacements(given, forward, made);

@@ -149,7 +149,7 @@ double mm_in(LengthUnit unit) {
 }
 
 PointRepair unit_repair(LengthUnit unit, const char* name) {
-  return {fmt::format("unit = \"{}\"", name), "",
+  return {"unit", fmt::format("\"{}\"", name), "",
           [unit](ProfileSource& source) { source.unit = unit; }};
 }
 
@@ -443,10 +443,8 @@ std::optional<PointFault> first_fault(ProfilePoints& points, const ProfileSource
 }
 
 /// Of the best repair; empty where there is none.
-std::string name_of_key(const PointFault& fault) {
-  if (fault.repairs.empty()) return "";
-  const std::string& key = fault.repairs.front().key;
-  return key.substr(0, key.find(' '));
+std::string key_of(const PointFault& fault) {
+  return fault.repairs.empty() ? "" : fault.repairs.front().key;
 }
 
 /// Defects and the keys that repair them, in one line.
@@ -457,7 +455,7 @@ std::string message_of(const std::vector<PointFault>& faults, const std::string&
              "; allowed: " + fault.allowed + "; ";
     std::string ways;
     for (const PointRepair& way : fault.repairs)
-      ways += fmt::format("{}`{}`{}", ways.empty() ? "" : " or ", way.key, way.note);
+      ways += fmt::format("{}`{}`{}", ways.empty() ? "" : " or ", way.line(), way.note);
     if (!ways.empty()) keys += (keys.empty() ? "" : ", ") + ways;
     if (faults.size() == 1 || ways.empty()) by_hand = fault.by_hand;
   }
@@ -527,10 +525,10 @@ void mend_and_check(ProfilePoints& points, const ProfileSource& source, bool whe
     ProfilePoints mended = listed;
     const auto fault = first_fault(mended, trial, wheel, true);
     if (!fault) break;
-    const std::string key = name_of_key(*fault);
+    const std::string key = key_of(*fault);
     // A key that has to be changed once more supersedes its earlier value.
     faults.erase(std::remove_if(faults.begin(), faults.end(),
-                                [&](const PointFault& one) { return name_of_key(one) == key; }),
+                                [&](const PointFault& one) { return key_of(one) == key; }),
                  faults.end());
     faults.push_back(*fault);
     if (key.empty()) break;
@@ -538,7 +536,7 @@ void mend_and_check(ProfilePoints& points, const ProfileSource& source, bool whe
   }
   std::vector<std::string> repairs;
   for (const PointFault& fault : faults)
-    if (!fault.repairs.empty()) repairs.push_back(fault.repairs.front().key);
+    if (!fault.repairs.empty()) repairs.push_back(fault.repairs.front().line());
   const std::string text = message_of(faults, points.file, wheel);
   if (repairs.size() == faults.size()) throw RepairableProfile(text, wheel, std::move(repairs));
   throw InputError(text);

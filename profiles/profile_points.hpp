@@ -37,15 +37,17 @@ void mend_and_check(ProfilePoints& points, const contact::ProfileSource& source,
 
 /// A key of [wheel_profile] or [rail_profile] that repairs a defect.
 struct PointRepair {
-  std::string key;   ///< "flip = true"
-  std::string note;  ///< follows it in a message, or empty
+  std::string key, value;
+  std::string note;  ///< follows them in a message, or empty
   std::function<void(contact::ProfileSource&)> apply;
+
+  std::string line() const { return key + " = " + value; }  ///< "flip = true"
 };
 
 template <class Value>
 PointRepair repair(const char* key, Value contact::ProfileSource::*member, Value value,
                    std::string note = "") {
-  return {fmt::format("{} = {}", key, value), std::move(note),
+  return {key, fmt::format("{}", value), std::move(note),
           [member, value](contact::ProfileSource& source) { source.*member = value; }};
 }
 

@@ -265,9 +265,7 @@ void check_list(const SectionList& list, const std::string& name) {
   for (std::size_t k = 0; k < list.sections.size(); ++k) {
     const Listed& here = list.sections[k];
     const Listed& before = list.sections[k > 0 ? k - 1 : 0];
-    contact::ProfileSource section;
-    section.name = here.file;
-    if (section.lists_sections())
+    if (contact::is_list_of_sections(here.file))
       fail(name, here.line, fmt::format("{} is a list of sections", contact::printable(here.file)),
            "files with one profile", "list its sections here");
     if (here.features.size() > most_features)
@@ -407,10 +405,11 @@ std::shared_ptr<const SectionSurface> make_sections(const contact::ProfileSource
   try {
     return std::make_shared<const SectionSurface>(std::move(read.sections), read.spline,
                                                   wheel ? 2.0 * contact::pi : 0.0);
+  } catch (const SectionsTooClose& error) {
+    throw InputError({source.name}, std::string(error.what()));
   } catch (const std::invalid_argument& error) {
-    const std::string text = error.what();
-    const char* remedy = "; do: correct the list of sections (docs/profiles.md)";
-    throw InputError(source.name + ": " + text + (text.find("; do: ") < text.size() ? "" : remedy));
+    throw InputError(fmt::format("{}: {}; do: correct the list of sections (docs/profiles.md)",
+                                 source.name, error.what()));
   }
 }
 

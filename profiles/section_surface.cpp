@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 namespace rollfem::profiles {
@@ -278,7 +277,7 @@ void SectionSurface::check_way(const std::vector<std::array<std::size_t, 2>>& ha
     // mistake.
     const bool is_wall = std::abs(chord) > steepest && length < 10.0 / steepest;
     if (!is_wall && !swings) continue;
-    throw std::invalid_argument(fmt::format(
+    throw SectionsTooClose(fmt::format(
         "from {:g} to {:g} points move by up to {:.3g} mm from section to section, and a smooth "
         "curve swings {:.3g} mm beyond; allowed: differences that the distance of the sections "
         "resolves; do: leave out one of the sections near there, or put them farther apart",

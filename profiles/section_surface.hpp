@@ -11,6 +11,7 @@
 #include "profiles/profile_curve.hpp"
 
 #include <array>
+#include <stdexcept>
 #include <vector>
 
 namespace rollfem::profiles {
@@ -48,6 +49,12 @@ struct SurfaceHeight {
   double parameter = 0.0;
 };
 
+/// Thrown where the way between two sections is too short for their difference; the text names a
+/// remedy.
+struct SectionsTooClose : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
 class SectionSurface {
  public:
   /// At least two sections with increasing positions. `turn`: the way after which a wheel repeats,
@@ -83,7 +90,7 @@ class SectionSurface {
   /// `having`: the first and the last section that have each node.
   void run_along_way(SectionSpline spline, const std::vector<std::array<std::size_t, 2>>& having,
                      Nodes& nodes) const;
-  /// Throws std::invalid_argument where the way is too short for the change between two sections.
+  /// Throws SectionsTooClose.
   void check_way(const std::vector<std::array<std::size_t, 2>>& having, const Nodes& nodes) const;
   bool closed() const { return way_.front() < given_[0]; }  ///< a wheel described all around
   double within_turn(double way) const;

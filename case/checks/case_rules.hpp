@@ -102,9 +102,7 @@ inline const Condition varies_along_track = has("friction", "track_position");
 inline Condition sections(const char* body) {
   return Condition([=](const GivenCase& given) {
     const GivenValue* name = given.find(body, "profile");
-    ProfileSource source;
-    if (name != nullptr) source.name = std::get<std::string>(name->value);
-    return source.lists_sections();
+    return name != nullptr && is_list_of_sections(std::get<std::string>(name->value));
   });
 }
 inline const Condition rail_sections = sections("rail");

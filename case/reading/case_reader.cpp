@@ -291,9 +291,7 @@ std::vector<std::string> files_read_by(const Case& input) {
     std::error_code error;  // built-in profiles have no file
     if (!fs::is_regular_file(file, error) || !seen.insert(file.string()).second) return;
     files.push_back(file.string());
-    ProfileSource profile;
-    profile.name = file.string();
-    if (!profile.lists_sections()) return;
+    if (!is_list_of_sections(file.string())) return;
     // Every field of a list that is the name of a file, whatever the format of the list.
     constexpr std::size_t largest = 10'000'000;
     const std::string text = text_of_file(file.string(), file.string(), largest);
