@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "case/keys/case_keys.hpp"
+#include "case/keys/case_text.hpp"
 
 #include <fmt/format.h>
 
@@ -30,14 +31,14 @@ struct Group {
   double place = 0.0;  ///< Equivalent::place of the last case
 };
 
-bool starts_with(const std::string& text, const std::string& start) {
-  return text.rfind(start, 0) == 0;
+bool is_in(const std::string& section, const std::string& path) {
+  return contact::find_key(path)->section == section;
 }
 
 /// Whether the keys are equal, some of them may be lists over load points, and the values of load
 /// keys, which may not, are equal.
 bool same_keys(const Point& a, const Point& b) {
-  const auto is_load = [](auto& entry) { return starts_with(entry.first, "load."); };
+  const auto is_load = [](auto& entry) { return is_in("load", entry.first); };
   return !std::all_of(a.begin(), a.end(), is_load) &&
          std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](auto& x, auto& y) {
            return x.first == y.first && (!is_load(x) || x.second == y.second);
@@ -199,18 +200,18 @@ std::string section_text(const Group& group, const std::string& section, const s
     for (const std::string& line : fixed->second) add(line);
   const bool alike = are_alike(group.points);
   bool listed = alike && !group.first.history() && section != "load";
-  for (const auto& [key, value] : group.points.front()) {
-    if (!starts_with(key, section + ".")) continue;
+  for (const auto& [path, value] : group.points.front()) {
+    if (!is_in(section, path)) continue;
     std::vector<double> values;
-    for (const Point& point : group.points) values.push_back(point.at(key));
-    add(values_text(key.substr(section.size() + 1), values, std::exchange(listed, false)));
+    for (const Point& point : group.points) values.push_back(point.at(path));
+    add(values_text(contact::find_key(path)->name, values, std::exchange(listed, false)));
   }
   if (section == "friction" && group.first.from_sliding) add("branch = \"sliding\"");
   if (section == "history" && group.starts_steady) add("start = \"steady\"");
   if (section == "history" && group.first.history() && alike)
     add(fmt::format("steps = {}", group.points.size()));
   if (section == "undeformed_distance" && !group.first.files.empty())
-    add("file = " + quoted(name + "_distance.csv"));
+    add("file = " + contact::toml_text(name + "_distance.csv"));
   return text.empty() ? text : fmt::format("\n[{}]\n", section) + text;
 }
 
@@ -223,7 +224,8 @@ std::string case_text(const Group& group, const std::string& name, const std::st
   text += "# Signs, and how every digit is converted: docs/coming_from_contact.md\n";
   text += "# Units: mm, N, MPa, rad. Keys: docs/case-file.md\n";
   for (const std::string& note : group.notes) text += "# note: " + note + "\n";
-  text += fmt::format("\ntitle = {}\nmodels = [\"{}\"]\n", quoted(which), group.first.model);
+  text += fmt::format("\ntitle = {}\nmodels = [\"{}\"]\n", contact::toml_text(which),
+                      group.first.model);
   for (const contact::Section& section : contact::case_sections())
     text += section_text(group, section.name, name);
   return text + group.first.stresses;

@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "case/case.hpp"
+#include "case/keys/case_text.hpp"
 
 #include <fmt/format.h>
 
@@ -92,7 +93,6 @@ std::string with_comment(const std::string& line, const std::string& comment) {
 
 /// Features requested by the values of a digit; other values count as the last entry.
 using Words = std::map<int, const char*>;
-const Words friction_words{{6, "temperature-dependent friction"}};
 const Words material_words{{1, "viscoelastic bodies"},
                            {2, "the simplified theory with a user-defined flexibility"}};
 const Words bound_words{{1, "a thin sheet instead of the half-space"},
@@ -100,6 +100,10 @@ const Words bound_words{{1, "a thin sheet instead of the half-space"},
                         {4, "normal contact by SDEC"},
                         {5, "normal contact by KPEC"},
                         {6, "normal contact by ANALYN"}};
+const char* word_of(int value, const Words& words) {
+  const auto found = words.find(value);
+  return (found == words.end() ? *words.rbegin() : *found).second;
+}
 
 bool falls(const ContactCase& given) {
   return given.friction_law >= 2 && given.friction_law <= 4;
@@ -170,92 +174,66 @@ void fill_friction(const ContactCase& given, Equivalent& made) {
     made.set("rolling", "speed", given.rolling[2], "mm/s");
 }
 
-class Judgement {
- public:
-  Judgement(const ContactCase& given, Equivalent& made)
-      : given_(given), digits_(given.digits), made_(made) {}
-
-  void friction() {
-    if (digits_.T == 0) return;
-    const int law = given_.friction_law, over = given_.friction_over;
-    refuse(over > 2 && given_.module == 1, "V", over, "friction in rows of elements in module 1");
-    refuse(over == 1 && given_.module == 3, "V", over, "friction over the inclination in module 3");
-    made_.refuse(by_rows(given_) && digits_.F > 0,
-                 "digits V, F: forces relative to friction that varies");
-    refuse(by_rows(given_) && is_simplified(digits_), "V", over, "FASTSIM with friction in rows");
-    refuse(law != 0 && !falls(given_), "L", law, friction_words);
-    for (const FrictionSet& one : given_.friction) {
-      made_.refuse(law == 0 && std::abs(one.fstat - one.fkin) > 1e-3 * one.fstat,
-                   fmt::format("FSTAT = {:g} and FKIN = {:g} differ: rollfem has one coefficient "
-                               "for adhesion and slip",
-                               one.fstat, one.fkin));
-      made_.refuse(falls(given_) && one.fkin < 0.01 * one.fstat,
-                   fmt::format("FKIN = {:g} is below a hundredth of the friction at rest, {:g}",
-                               one.fkin, one.fstat));
-    }
+void judge_friction(const ContactCase& given, Equivalent& made) {
+  const Digits& digits = given.digits;
+  if (digits.T == 0) return;
+  const int law = given.friction_law, over = given.friction_over;
+  made.refuse(over > 2 && given.module == 1, "V", over, "friction in rows of elements in module 1");
+  made.refuse(over == 1 && given.module == 3, "V", over,
+              "friction over the inclination in module 3");
+  made.refuse(by_rows(given) && digits.F > 0,
+              "digits V, F: forces relative to friction that varies");
+  made.refuse(by_rows(given) && is_simplified(digits), "V", over, "FASTSIM with friction in rows");
+  made.refuse(law != 0 && !falls(given), "L", law, "temperature-dependent friction");
+  for (const FrictionSet& one : given.friction) {
+    made.refuse(law == 0 && std::abs(one.fstat - one.fkin) > 1e-3 * one.fstat,
+                fmt::format("FSTAT = {:g} and FKIN = {:g} differ: rollfem has one coefficient "
+                            "for adhesion and slip",
+                            one.fstat, one.fkin));
+    made.refuse(falls(given) && one.fkin < 0.01 * one.fstat,
+                fmt::format("FKIN = {:g} is below a hundredth of the friction at rest, {:g}",
+                            one.fkin, one.fstat));
   }
+}
 
-  void bodies() {
-    const int M = digits_.M, B = digits_.B, C = given_.bodies.influence;
-    const bool full = M == 0 || M == 4;
-    refuse(!full && !is_simplified(digits_), "M", M, material_words);
-    if (is_simplified(digits_)) fastsim();
-    refuse(full && B != 0 && B != 2, "B", B, bound_words);
-    made_.refuse(full && B == 2 && (given_.module == 1 || given_.potential.ipotcn >= 0),
-                 "digit B = 2: Hertz's pressure of a contact that is not given by IPOTCN = -1 to "
-                 "-3");
-    made_.refuse(full && B == 2 && digits_.N == 0,
-                 "digits B = 2 and N = 0: Hertz's pressure needs the normal force");
-    refuse(digits_.M2 != 0, "M2", digits_.M2, "material damping");
-    refuse(C == 4, "C", C,
-           "influence coefficients for conformal contact (for profiles see halfspace.surface)");
-    refuse(C == 9, "C", C, "influence coefficients read from a file");
-  }
+/// FASTSIM and FaStrip.
+void judge_fastsim(const ContactCase& given, Equivalent& made) {
+  const int B = given.digits.B, M = given.digits.M;
+  if (given.module == 1) return made.refuse(true, "M", M, "FASTSIM on the patches of profiles");
+  made.refuse(given.digits.T != 3, "M", M, "FASTSIM for anything but steady rolling");
+  made.refuse(
+      B != 2 && (B != 3 || M == 5),
+      fmt::format("digits M = {}, B = {}: FASTSIM with a pressure other than Hertz's, or FaStrip "
+                  "with a parabolic bound",
+                  M, B));
+  made.refuse(M == 5 && (falls(given) || given.bodies.slope_reduction[0] != 1.0), "M", M,
+              "FaStrip with falling friction or a reduced slope");
+}
 
-  void problem() {
-    const int T = digits_.T, E = digits_.E;
-    refuse(T > 3, "T", T, "an unknown kind of problem");
-    refuse(digits_.F > 2, "F", digits_.F, "a rail on springs");
-    refuse(given_.module == 3 && E != 0, "E", E,
-           "extra rigid slip given per element (write a file for rolling.extra_slip_file)");
-    refuse(given_.module == 1 && (T == 1 || T == 2), "T", T,
-           "shifts and transient rolling of wheel and rail profiles");
-  }
+void judge_bodies(const ContactCase& given, Equivalent& made) {
+  const int M = given.digits.M, B = given.digits.B, C = given.bodies.influence;
+  const bool full = M == 0 || M == 4;
+  made.refuse(!full && !is_simplified(given.digits), "M", M, word_of(M, material_words));
+  if (is_simplified(given.digits)) judge_fastsim(given, made);
+  made.refuse(full && B != 0 && B != 2, "B", B, word_of(B, bound_words));
+  made.refuse(full && B == 2 && (given.module == 1 || given.potential.ipotcn >= 0),
+              "digit B = 2: Hertz's pressure of a contact that is not given by IPOTCN = -1 to -3");
+  made.refuse(full && B == 2 && given.digits.N == 0,
+              "digits B = 2 and N = 0: Hertz's pressure needs the normal force");
+  made.refuse(given.digits.M2 != 0, "M2", given.digits.M2, "material damping");
+  made.refuse(C == 4, "C", C,
+              "influence coefficients for conformal contact (for profiles see halfspace.surface)");
+  made.refuse(C == 9, "C", C, "influence coefficients read from a file");
+}
 
- private:
-  void refuse(bool refused, const char* digit, int value, const char* what) {
-    made_.refuse(refused, fmt::format("digit {} = {}: {}", digit, value, what));
-  }
-  void refuse(bool refused, const char* digit, int value, const Words& words) {
-    const auto found = words.find(value);
-    refuse(refused, digit, value, (found == words.end() ? *words.rbegin() : *found).second);
-  }
-
-  /// And FaStrip.
-  void fastsim() {
-    const int B = digits_.B, M = digits_.M;
-    const auto& slope = given_.bodies.slope_reduction;
-    if (given_.module == 1) return refuse(true, "M", M, "FASTSIM on the patches of profiles");
-    refuse(digits_.T != 3, "M", M, "FASTSIM for anything but steady rolling");
-    made_.refuse(
-        B != 2 && (B != 3 || M == 5),
-        fmt::format("digits M = {}, B = {}: FASTSIM with a pressure other than Hertz's, or FaStrip "
-                    "with a parabolic bound",
-                    M, B));
-    refuse(M == 5 && (falls(given_) || slope[0] != 1.0), "M", M,
-           "FaStrip with falling friction or a reduced slope");
-  }
-
-  const ContactCase& given_;
-  const Digits& digits_;
-  Equivalent& made_;
-};
-
-void judge_digits(const ContactCase& given, Equivalent& made) {
-  Judgement judge(given, made);
-  judge.friction();
-  judge.bodies();
-  judge.problem();
+void judge_problem(const ContactCase& given, Equivalent& made) {
+  const int T = given.digits.T, E = given.digits.E;
+  made.refuse(T > 3, "T", T, "an unknown kind of problem");
+  made.refuse(given.digits.F > 2, "F", given.digits.F, "a rail on springs");
+  made.refuse(given.module == 3 && E != 0, "E", E,
+              "extra rigid slip given per element (write a file for rolling.extra_slip_file)");
+  made.refuse(given.module == 1 && (T == 1 || T == 2), "T", T,
+              "shifts and transient rolling of wheel and rail profiles");
 }
 
 void note_settings(const ContactCase& given, Equivalent& made) {
@@ -322,15 +300,6 @@ double in_mm(double place) {
   return std::round(place * 1e10) / 1e10;
 }
 
-std::string quoted(const std::string& text) {
-  std::string made = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') made += '\\';
-    made += letter;
-  }
-  return made + '"';
-}
-
 void Equivalent::set(const std::string& section, const std::string& key, double value,
                      const std::string& comment) {
   fixed[section].push_back(with_comment(fmt::format("{} = {:.12g}", key, value), comment));
@@ -344,7 +313,7 @@ void Equivalent::set_list(const std::string& section, const std::string& key,
 
 void Equivalent::set_word(const std::string& section, const std::string& key,
                           const std::string& word) {
-  fixed[section].push_back(key + " = " + quoted(word));
+  fixed[section].push_back(key + " = " + contact::toml_text(word));
 }
 
 void fill_bodies(const BodyConstants& bodies, const std::array<const char*, 2>& sections,
@@ -365,7 +334,9 @@ Equivalent equivalent_of(const ContactCase& given, const std::string& profile_fo
   made.problem = word_of(T < problems.size() ? problems[T] : Problem::steady);
   // P = 1 uses the previous pressure only as a start; friction starts from zero, as with P = 2.
   made.continues = made.history() && given.digits.P == 0;
-  judge_digits(given, made);
+  judge_friction(given, made);
+  judge_bodies(given, made);
+  judge_problem(given, made);
   note_settings(given, made);
   if (!made.impossible.empty()) return made;
   fill_friction(given, made);

@@ -3,15 +3,14 @@
 // docs/coming_from_contact.md maps digits and signs.
 #pragma once
 
+#include <fmt/format.h>
+
 #include "convert/contact_reader.hpp"
 #include <map>
 #include <string>
 #include <vector>
 
 namespace rollfem::convert {
-
-/// A string for a case file, in quotes.
-std::string quoted(const std::string& text);
 
 /// A coordinate, cleaned of the rounding error of its sum.
 double in_mm(double place);
@@ -38,6 +37,9 @@ struct Equivalent {
   bool history() const { return problem == "shift" || problem == "transient"; }
   void refuse(bool refused, const std::string& reason) {
     if (refused) impossible.push_back(reason);
+  }
+  void refuse(bool refused, const char* digit, int value, const char* what) {
+    refuse(refused, fmt::format("digit {} = {}: {}", digit, value, what));
   }
   void note(bool noted, const std::string& text) {
     if (noted) notes.push_back(text);
