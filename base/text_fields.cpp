@@ -39,10 +39,6 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
-bool ends_with(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
-
 std::string_view without_comment(std::string_view line, std::string_view marks) {
   return line.substr(0, line.find_first_of(marks));
 }
@@ -91,6 +87,14 @@ std::optional<double> number_of(std::string_view field, bool decimal_comma) {
 std::optional<int> whole_number_of(std::string_view field) {
   return parsed<int>(field);
 }
+
+namespace {
+
+bool ends_with(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+}  // namespace
 
 bool looks_like_table(std::string_view text, std::string_view marks) {
   std::size_t numbers = 0, others = 0;

@@ -13,8 +13,6 @@ namespace rollfem::contact {
 /// Without blanks and carriage returns at both ends.
 std::string_view trimmed(std::string_view text);
 
-bool ends_with(std::string_view text, std::string_view end);
-
 /// The text before a comment, which begins with one of `marks`.
 std::string_view without_comment(std::string_view line, std::string_view marks);
 

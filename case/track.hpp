@@ -3,19 +3,21 @@
 // values; track/ turns them into scenes. Track frame: x along the track, y to the right, z down.
 #pragma once
 
-#include "base/text_fields.hpp"
-
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rollfem::contact {
 
 /// Whether a file is a list of sections along the way: .sections, .slcs (CONTACT, of a rail) or
 /// .slcw (of a wheel).
-inline bool is_list_of_sections(const std::string& file) {
-  return ends_with(file, ".sections") || ends_with(file, ".slcs") || ends_with(file, ".slcw");
+inline bool is_list_of_sections(std::string_view file) {
+  for (const std::string_view ending : {".sections", ".slcs", ".slcw"})
+    if (file.size() > ending.size() && file.substr(file.size() - ending.size()) == ending)
+      return true;
+  return false;
 }
 
 enum class LengthUnit { mm, m, inch };
