@@ -83,7 +83,7 @@ TEST(Record, TheSummaryListsWhatAPointHasSeveralOf) {
 }
 
 TEST(Record, EveryQuantityComesBack) {
-  contact::PointResult all, none, read;
+  contact::PointResult all, none;
   double number = 0.25;
   for (const Quantity& quantity : quantities()) {
     const bool whole = quantity.member.kind != contact::QuantityKind::number;
@@ -91,6 +91,7 @@ TEST(Record, EveryQuantityComesBack) {
     quantity.member.set(all, whole ? std::floor(number) : number);
   }
   for (const contact::PointResult& point : {all, none}) {
+    contact::PointResult read;
     contact::Record record(bytes_of(point));
     record.value(read);
     EXPECT_TRUE(record.exhausted());

@@ -21,7 +21,7 @@ TEST(ResultFiles, OfNumbersThatAreNotFiniteSizesThatDoNotFitAndBadNamesAreRefuse
            {[&](auto& m) { m[0].points[1].max_pressure = nan; },
             "halfspace/points/0001/max_pressure"},
            {[&](auto& m) { m[1].points[0].fields.slip.x[5] = contact::infinity; },
-            "fem/points/0000/slip_x[0]"},
+            "fem/points/0000/slip_x[1]"},
            {[&](auto& m) {
               m[1].points[1].bodies[0].stress[4][2] = std::numeric_limits<float>::quiet_NaN();
             },
