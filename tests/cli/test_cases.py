@@ -4,10 +4,11 @@ results. Case files that are refused: tests/refusals."""
 
 import json
 import math
+import tomllib
 
 import numpy as np
 import pytest
-from program import SMALL, WHEEL_ON_RAIL, package, rolling, says, toml
+from program import SMALL, WHEEL_ON_RAIL, package, rolling, says, solved, toml
 
 EIGHT = SMALL | {"contact_grid.elements_across": 8}
 PLACED = {"friction.coefficient": 0.3, "wheel.rolling_radius": 460.0, "wheel.profile": "S1002", "rail.profile": "60E1"}
@@ -170,3 +171,103 @@ def test_a_layer_may_yield_without_being_elastic(points):
     """At full sliding the tractions are those of the yield stress, where friction would bear more."""
     slides = SMALL | {"layer.yield_stress": 100.0, "layer.hardening": 0.0} | rolling(0.05, 16)
     assert points(slides)[0].max_traction == pytest.approx(100.0, rel=1e-6)
+
+
+# Keys changed in the text of a file.
+WRITTEN = """title = "a wheel"   # told
+
+[load]
+normal_force = 50e3  # N
+
+[wheel]
+rolling_radius = 460.0
+transverse_radius = inf
+[rail]
+transverse_radius = 300.0
+
+[rolling]
+longitudinal_creepage = [
+  0.0,  # none
+  0.001,
+]
+[friction]
+coefficient = 0.3
+"""
+
+
+def edited(folder, *changes, text=WRITTEN):
+    """The text of a case read with changes as of --set."""
+    file = folder / "case.toml"
+    file.write_text(text, "utf-8")
+    return package()._core.read_case(str(file), list(changes)).text
+
+
+@pytest.mark.parametrize("changes, piece, other", [
+    (["load.normal_force=80e3"], "50e3", "80e3"), ([" load.normal_force = 7.5e4 "], "50e3", "7.5e4"),
+    (["title=worn"], '"a wheel"', '"worn"'), (["title='one word, or two'"], '"a wheel"', "'one word, or two'"),
+    (['title="60 E1"'], '"a wheel"', '"60 E1"'),
+    (["rolling.longitudinal_creepage=[0.002]", "friction.coefficient=0.25"],
+     "[\n  0.0,  # none\n  0.001,\n]\n[friction]\ncoefficient = 0.3", "[0.002]\n[friction]\ncoefficient = 0.25")])
+def test_a_change_replaces_a_value_and_nothing_else(tmp_path, changes, piece, other):
+    assert edited(tmp_path, *changes) == WRITTEN.replace(piece, other)
+
+
+def test_a_change_adds_keys_and_sections(tmp_path):
+    case = tomllib.loads(edited(tmp_path, "wheel.round_to=0.5", "accuracy=0.01", "output.fields=false"))
+    assert (case["wheel"]["round_to"], case["accuracy"], case["output"]["fields"]) == (0.5, 0.01, False)
+    dotted = ("friction.coefficient = 0.3\nload.normal_force = 1e4\nwheel.rolling_radius = 460.0\n"
+              "wheel.transverse_radius = inf\nrail.transverse_radius = 300.0\n")
+    assert edited(tmp_path, "wheel.round_to=0.5", text=dotted) == dotted.replace("wheel.", "wheel.round_to = 0.5\nwheel.", 1)
+
+
+@pytest.mark.parametrize("change, said", [
+    ("friction.coefficient", "expected KEY=VALUE"), ("friction.coefficent=0.3", "friction.coefficent is not a key"),
+    ("friction.coefficent=0.3", "did you mean `coefficient`?"), ("friction.coefficient=much", "expected a number"),
+    ("friction.coefficient=-1", "is out of bounds"), ("friction.coefficient=", "the value is missing"),
+    ("friction.coefficient=[", "not a value in TOML"), ("width=2", "do: write geometry.width or fem.width"),
+    ("subsurface.line.points=3", "do: change it in the case file"), ('title="a"\n[load]', "--set"), ("title=\x7f", "--set")])
+def test_wrong_changes_are_refused_as_the_words_of_a_call(tmp_path, change, said):
+    with pytest.raises(package().InputError) as refused:
+        edited(tmp_path, change)
+    says(str(refused.value), "--set ", said)
+
+
+def test_a_file_that_cannot_be_changed_is_refused_with_its_line(tmp_path):
+    for text, change, said in (("x = \n", "load.normal_force=1", "case.toml:1"),
+                               ("load = {normal_force = 1e4}\n", "load.approach=0.1", "case.toml:1: load: the section is an inline table")):
+        with pytest.raises(package().InputError, match=said):
+            edited(tmp_path, change, text=text)
+
+
+# Grids that cannot hold or resolve the patch, before any iteration fails to converge on them.
+@pytest.mark.parametrize("grid, said", [
+    *(({"contact_grid.extent": extent}, "contact_grid.extent")
+      for extent in ([1e-6, 2.65e8], [2.65e8, 1e-6], [20.0, 2.65e8], [1e9, 1e9], [1e-6, 1e-6])),
+    ({"contact_grid.extent": [20.0, 50.0], "contact_grid.middle": [20.0, 0.0]}, "contact_grid.extent"),
+    ({"contact_grid.middle": [1e6, 0.0]}, "contact_grid.extent"),
+    *(({"contact_grid.cell_size": size}, "contact_grid.cell_size") for size in ([1e-6, 1e6], [1e6, 1e-6], [1e-6, 1e-6], [0.001, 2.0]))])
+def test_extreme_grids_are_refused_at_once(grid, said):
+    with pytest.raises(package().InputError, match=said):
+        solved(SMALL | grid, model="halfspace")
+
+
+@pytest.mark.parametrize("grid", [
+    {"contact_grid.extent": [10.0, 25.0], "contact_grid.middle": [0.5, -0.5], "contact_grid.cell_size": [0.5, 1.0]},
+    {"contact_grid.cell_size": [0.1, 2.0]}, {"contact_grid.middle": [1.0, 0.0], "contact_grid.elements_across": 10}])
+def test_grids_that_hold_the_patch_are_not_extreme(grid):
+    """Hertz's ellipse is 7.58 by 21.75 mm; the middle may be off where the area still holds it."""
+    assert solved(SMALL | grid, model="halfspace").points[0].normal_force == pytest.approx(50e3, rel=1e-6)
+
+
+def test_grids_beyond_the_memory_of_the_machine_are_refused_at_once(monkeypatch):
+    monkeypatch.setenv("ROLLFEM_MEMORY_GB", "5")
+    with pytest.raises(package().SolveError, match="needs about 6.03 GB and 5 GB are available: 4 million"):  # 1.5 kB for each
+        solved(SMALL | {"contact_grid.elements_across": 2000}, model="halfspace")
+
+
+def test_an_accuracy_is_not_climbed_for_beyond_that_memory(monkeypatch):
+    monkeypatch.setenv("ROLLFEM_MEMORY_GB", "0.04")  # some 6 700 elements; 320 across would have 100 000
+    case = package().Case(tomllib.loads(toml(SMALL | {"accuracy": 1e-5, "contact_grid.elements_across": 20})))
+    with pytest.warns(package().AccuracyWarning, match="accuracy = 1e-05 was not reached.*0.04 GB are available"):
+        result = package().solve(case, model="halfspace")[0]
+    assert result.x.size * result.y.size < 10000

@@ -116,6 +116,21 @@ def test_signs_of_creepages_are_those_of_single_solutions(signs):
     assert found.spin_moment == pytest.approx(point.spin_moment, abs=0.01 * bound * math.sqrt(a * b))
 
 
+@pytest.mark.parametrize("keys", [lambda: OWN, lambda: RIM, lambda: bodies(1.0, 80e3) | LOADS], ids=["ellipse", "wheel", "loads"])
+def test_a_table_comes_back_from_its_file_to_the_last_bit(tmp_path, keys):
+    made = table(keys())
+    made.write(tmp_path / "table")
+    back = package().Table(tmp_path / "table")
+    for name in "longitudinal_force", "lateral_force", "spin_moment", "force_along_normal", "force_bar", "moment_bar", "checked":
+        np.testing.assert_array_equal(getattr(back, name), getattr(made, name), err_msg=name)
+    for one, other in (back.axes, made.axes), (back.wheels or {}, made.wheels or {}):
+        assert one.keys() == other.keys()
+        for name in one:
+            np.testing.assert_array_equal(one[name], other[name], err_msg=name)
+    assert (back.interpolation, back.title, back.case_text) == (made.interpolation, made.title, made.case_text)
+    assert [back.shear_modulus, back.friction_coefficient] == pytest.approx([made.shear_modulus, made.friction_coefficient], nan_ok=True)
+
+
 # Wheels.
 def wheel(shift, creepages, keys=RIM):
     """The patch of the wheel at a shift."""

@@ -99,6 +99,8 @@ def test_over_lateral_shifts_has_the_contacts_and_its_figures(rollfem):
     for name in ("table.csv", "shifts.csv", "interpolation.csv", "table.html", "figures/table_shifts.svg",
                  "figures/table_wheels.svg"):
         assert rollfem.holds(f"out/{name}"), name
+    lines = rollfem.text("out/shifts.csv").splitlines()
+    assert len(lines) == 4 and lines[0].startswith("lateral_shift [mm],semi_axis_x [mm]")
     table = read(rollfem, "out")
     assert table.longitudinal_force.size == 81 and len(table.wheels["rolling_radius"]) == 3
     # The radius at the case's own position (docs/track.md).
