@@ -8,6 +8,7 @@ from matplotlib import pyplot as plt
 from .. import closed_forms, published, style
 from ..chapter import Chapter, Cost, Row, at_most, closest
 from .line_stress import line_load_rows
+from .two_rollers import roller_rows
 
 STEEL = 82000 / (1 - 0.28)  # E* = G/(1 - nu), MPa
 
@@ -65,7 +66,7 @@ def _pressed_rows(bench):
         if radius == 450:
             a = np.pi * 1200.0 * 450.0 / 2 / (210e3 / (2 * (1 - 0.3**2)))
             rows.append(Row("rail 450 mm: force of the p0 that is given", "N", 2 / 3 * np.pi * a * a * 1200.0, force, 1e-9))
-    return [*rows, *line_load_rows(bench)]
+    return [*rows, *line_load_rows(bench), *roller_rows(bench)]
 
 
 def grid_order(bench):
