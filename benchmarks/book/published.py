@@ -139,6 +139,12 @@ MANCHESTER = {"left": {
     9: (720.4903, 7.1643, 0.8676, -43.4346, 11970, -0.5608, -0.8251, 0.03447, 2640, 186, -0.02266, 0.03341, 0.001588),
     10: (721.088, 6.5066, 0.7992, -44.3815, 11440, -0.5673, -0.8217, 0.03411, 2643, 177, -0.02378, 0.03445,
         0.001486)}}
+# Left wheel, first-order differences, elements of 0.2 mm, by shift: y on the track of the reference point, creepages and spin as
+# CONTACT has them, force along and across over mu F_n, elements in contact and adhesion.
+MANCHESTER_TRACTIONS = {0.0: (-751.8726, -5.665e-5, 0.0, -6.302e-5, 9.281e-5, 0.08458, 1291, 943),
+                        0.5: (-754.2092, -3.708e-4, 1.2e-3, -4.592e-5, 0.2942, -0.7860, 989, 342),
+                        1.0: (-755.2440, -6.297e-4, 2.4e-3, -3.848e-5, 0.2749, -0.9592, 916, 0),
+                        5.0: (-757.8958, -3.462e-3, 1.198e-2, -1.990e-5, 0.2785, -0.9604, 692, 0)}
 # The positions between, without z on the track, y on the wheel and elements.
 MANCHESTER_BETWEEN_COLUMNS = ("y", "angle", "force", "along", "across", "approach", "pressure", "xi", "eta", "spin")
 MANCHESTER_BETWEEN = {"left": {
