@@ -268,7 +268,7 @@ def benchmark_9(bench):
         "the forces, a few percent in the moment). Two sequences of rollfem enclose 10 250 +- 2 N and -1168 +- 6 N mm. On CONTACT's "
         "elements with its difference the digits that it prints, also of its example of an ellipse (user guide).",
         rows, figures=[(name, "Longitudinal force and spin moment against the grid, as differences from CONTACT's extrapolation")], cost=cost,
-        tests=["verification.SteadyRolling.NewtonTakesFewStepsAndEndsFast", "verification.LeadingEdge.TractionsAcrossRollingDoNotZigzag"])
+        tests=["verification.SteadyRolling.NewtonTakesFewStepsAndEndsFast", "verification.LeadingEdge.IsFoundFromTheBoundOnly"])
 
 
 def fastsim(bench):
