@@ -32,7 +32,8 @@ def _parser():
     parser.add_argument("--fresh", action="store_true", help="recompute existing runs")
     parser.add_argument("--png", metavar="DIR", help="folder for additional bitmaps of the figures")
     parser.add_argument("--check", action="store_true",
-                        help="as a test: judge numbers that need no finite elements, write neither pages nor figures")
+                        help="as a test: judge numbers only, without finite elements where a chapter does without, and "
+                             "write neither pages nor figures")
     parser.add_argument("--quiet", action="store_true", help="print the verdict only")
     parser.add_argument("--root", help=argparse.SUPPRESS)
     parser.add_argument("--build", help=argparse.SUPPRESS)
@@ -81,7 +82,7 @@ def _make(bench, chapters, say):
     made, left_out, failures = [], [], []
     for function in chapters:
         name = function.__name__.replace("_", "-")
-        if getattr(function, "needs_fem", False) and not bench.has_fem:
+        if getattr(function, "needs_fem", False) and not bench.built_with_fem:
             left_out.append((name, "needs finite elements, which this build lacks"))
             continue
         say(f"chapter {name}")
@@ -122,7 +123,7 @@ def main():
         bench = Bench(root, options.build or os.path.join(root, "build"), results, options.fresh, say)
         style.use()
         bench.figures, bench.png, bench.small = directory, options.png, options.check
-        bench.has_fem = bench.has_fem and not options.check
+        bench.has_fem = bench.built_with_fem and not options.check
         done, left_out, failures = _make(bench, wanted, say)
         made = {"command": "./rollfem book" + (f" --only {' '.join(options.only)}" if options.only else ""),
                 "version": bench.version, "host": _machine(), "date": datetime.date.today().isoformat(),

@@ -96,7 +96,8 @@ class Bench:
         self.version = self._version()
         self.figures, self.png = folder, None  # folders of figures and their bitmaps
         self.small = False  # as a test: fewer numbers, no figures
-        self.has_fem = os.path.exists(os.path.join(build, "fem", "librollfem_fem.so"))
+        self.built_with_fem = os.path.exists(os.path.join(build, "fem", "librollfem_fem.so"))
+        self.has_fem = self.built_with_fem  # whether chapters that do without have rows of finite elements
         os.makedirs(folder, exist_ok=True)
 
     def _version(self):

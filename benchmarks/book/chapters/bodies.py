@@ -3,7 +3,7 @@
 import numpy as np
 
 from .. import closed_forms
-from ..chapter import Chapter, Cost, Row
+from ..chapter import Chapter, Cost, Row, at_most
 
 
 def elements(bench):
@@ -17,6 +17,7 @@ def elements(bench):
         rows.append(Row("order of the displacement", "", displacement, found["order_of_displacement"],
                         0.25 / displacement, by=words))
         rows.append(Row("order of the energy", "", energy, found["order_of_energy"], 0.2 / energy, by=words))
+        rows.append(at_most("error of the displacement on the finer mesh", "", found["error"], 0.05 if words.startswith("Q1") else 2e-3, by=words))
         seconds += found["seconds"]
     return Chapter(
         "elements", "Order of the elements on curved bodies",
@@ -43,6 +44,8 @@ def persson(bench):
         rows.append(Row("half the angle of contact", "degrees", angle, found[f"half_angle_at_{angle}"], 0.5 / angle,
                         by=f"{angle} degrees"))
         rows.append(Row("p(0) R/Q", "", pressure, found[f"pressure_at_{angle}"], 0.01, by=f"{angle} degrees"))
+        rows.append(at_most("error of the angle, elements of 1.5 over those of 3 degrees", "", abs(
+            (found[f"half_angle_at_{angle}"] - angle) / (found[f"coarse_half_angle_at_{angle}"] - angle)), 0.7, by=f"{angle} degrees"))
         # Hertz's line contact of the same clearance: a^2 = 4 Q R/(pi E*), 1/R = dR/R^2, E* = E1*/2, p0 = 2Q/(pi a)
         semi_axis = np.sqrt(8 / (np.pi * clearance))
         missed.append(f"{100 * (2 / (np.pi * semi_axis) / pressure - 1):.1f} % at {angle} degrees".replace("-", "−"))

@@ -65,6 +65,8 @@ def _sphere_rows(found, exact, semi_axis):
                 by="FEM, cells of a/5"),
             Row("sphere: mean slip, segments reach 16 a", unit, exact, exact * found["mean_at_16"], 0.02,
                 by="FEM, cells of a/5"),
+            Row("sphere: mean slip, what segments of 16 a have more than those of 8 a", "", 0.019, found["mean_at_16"] - found["mean_at_8"],
+                0.004, of=1.0, of_words="the series", by="FEM, cells of a/5"),
             Row("sphere: slip over the patch, segments reach 16 a, root mean square", "", 0.0, found["shape_at_16"], 0.025,
                 of=1.0, of_words="the mean", by="FEM, cells of a/5")]
 
@@ -114,11 +116,13 @@ def curvature_slip(bench):
     found = bench.test("verification_fem:ElasticSphere.SlipsWithoutCreepageAsLuresSeriesSays")
     semi_axis = closed_forms.hertz(1 / (2 * RADIUS), 1 / (2 * RADIUS), FORCE, SHEAR_MODULUS / (1 - POISSON))[0]
     rows = _sphere_rows(found, _mean_over_hertz(semi_axis, RADIUS, 4000), semi_axis)
-    _, results = _compared(bench)
+    results = _compared(bench)[1] if bench.has_fem else {}
     for letter, value in BY_HAND.items():
         slip, axes = _first_order(letter)
         rows.append(Row(f"case {letter}: mean slip, first order, against another hand's", "", value,
                         slip[0] + 0.2 * (slip[1] * axes[0] ** 2 + slip[2] * axes[1] ** 2), 0.02, by="first order"))
+        if not results:
+            continue
         rows.append(Row(f"case {letter}: -F_x/F_z at xi = 0, against the half-space with first-order slip", "",
                         _half_space_with(bench, letter, slip, axes),
                         results[letter]["fem"].nearest(0.0)["traction_coefficient"], 0.08, by="FEM"))
