@@ -76,6 +76,21 @@ inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) 
       grid, pressure, lattice);
 }
 
+/// A slab in plane strain, the same for all tests of a process; never destroyed, for MPI ends
+/// before.
+inline const RolledBody& slab_of(int per_half_width, double extent, bool wheel = false) {
+  static auto& slabs = *new std::map<std::tuple<int, double, bool>, std::unique_ptr<RolledBody>>;
+  std::unique_ptr<RolledBody>& slab = slabs[{per_half_width, extent, wheel}];
+  if (!slab) {
+    SlabOptions options;
+    options.per_half_width = per_half_width;
+    options.extent = extent;
+    options.wheel = wheel;
+    slab = rolled_slab(options);
+  }
+  return *slab;
+}
+
 /// Residual stress along and across the rolling direction behind the load, MPa, where that normal
 /// to the surface vanishes: {depth: mean of the stations from `from` to `to`}, of the first cell
 /// across.

@@ -135,4 +135,18 @@ class Passes {
   fem::PassReport report;
 };
 
+/// Increases of plastic strain that begin above `first` and fall by two fifths with every pass.
+inline void expect_shakedown(const std::vector<double>& increases, double first) {
+  EXPECT_GT(increases[0], first);
+  for (std::size_t pass = 1; pass < increases.size(); ++pass)
+    EXPECT_LT(increases[pass], 0.6 * increases[pass - 1]) << pass;
+}
+
+/// Increases that stay above `least`, and at this part of the one before.
+inline void expect_ratchetting(const std::vector<double>& increases, double least = 1e-3,
+                               double part = 0.85) {
+  EXPECT_GT(increases.back(), least);
+  EXPECT_GT(increases.back(), part * increases[increases.size() - 2]);
+}
+
 }  // namespace rollfem::testing

@@ -12,7 +12,6 @@
 #include "support/committed_cases.hpp"
 #include "support/elastic_sphere.hpp"
 #include "support/mpi_environment.hpp"
-#include "support/recorded.hpp"
 
 namespace {
 
@@ -66,8 +65,6 @@ TEST(Hybrid, OfAFreeMeshIsThatOfTheBox) {
   EXPECT_NE(free.unknowns, boxes.unknowns);
   const double wheel = farthest(beyond(free.wheel), beyond(boxes.wheel));
   const double rail = farthest(beyond(free.rail), beyond(boxes.rail));
-  record("difference_wheel", wheel);
-  record("difference_rail", rail);
   EXPECT_LT(wheel, 0.1);
   EXPECT_LT(rail, 0.1);
   scene.output.stress_maxima = true;
@@ -91,7 +88,6 @@ TEST(Hybrid, AFlatRailIsNotMeshed) {
   const hybrid::SmoothParts meshed = hybrid::find_smooth_parts(scene, {});
   EXPECT_GT(meshed.unknowns, 1000);
   const double difference = farthest(beyond(plain.rail), beyond(meshed.rail));
-  record("difference", difference);
   EXPECT_LT(difference, 0.05);
 }
 
@@ -106,7 +102,6 @@ TEST(Hybrid, LinearCellsFindWhatQuadraticOnesDo) {
   scene.options.fem.degree = 1;
   const auto linear = hybrid::find_smooth_parts(scene, {});
   const double difference = farthest(beyond(linear.wheel), beyond(quadratic.wheel));
-  record("difference", difference);
   EXPECT_LT(difference, 0.1);
 }
 
@@ -164,7 +159,6 @@ TEST(Hybrid, MeetsFiniteElementsOnASmallWheelInAGroove) {
   const contact::PointResult hybrid = hybrid_of(input).points.front();
   const contact::PointResult whole =
       fem::run_fem(contact::Scene(input), {}, nullptr).points.front();
-  record("p0", hybrid.max_pressure / whole.max_pressure - 1.0);
   EXPECT_NEAR(hybrid.max_pressure / whole.max_pressure, 1.0, 0.004);
   EXPECT_NEAR(hybrid.semi_axis_x / whole.semi_axis_x, 1.0, 0.004);
   EXPECT_NEAR(hybrid.semi_axis_y / whole.semi_axis_y, 1.0, 0.006);
@@ -184,8 +178,6 @@ TEST(Hybrid, HasTheSlipOfAnElasticSphere) {
   const hybrid::HybridCompliance compliance(scene, geometry, grid,
                                             hybrid::find_smooth_parts(scene, {}));
   const ElasticSphere slip(compliance, grid);
-  record("mean", slip.mean);
-  record("shape", slip.shape);
   EXPECT_NEAR(slip.mean, 1.0, 0.02);
   EXPECT_LT(slip.shape, 0.03);  // over the patch; 0.09 by a plain fit of degree 6
 }

@@ -9,7 +9,6 @@
 
 #include "support/committed_cases.hpp"
 #include "support/mpi_environment.hpp"
-#include "support/recorded.hpp"
 
 namespace {
 
@@ -75,7 +74,6 @@ TEST(HybridStress, IsThatOfHertzInBodiesThatAreHalfSpaces) {
         worst =
             std::max(worst, std::abs(field.stress[static_cast<std::size_t>(k)][c] / p0 - exact[c]));
     }
-  record("worst", worst);
   EXPECT_LT(worst, 1e-3);
 }
 
@@ -97,7 +95,6 @@ TEST(HybridStress, IsThatOfFiniteElementsOnSteepSurfaces) {
       worst = std::max(worst, std::abs(von_mises(point, body, k + 1) - exact));
       worst_half = std::max(worst_half, std::abs(von_mises(half, body, k + 1) - exact));
     }
-    record(body == 0 ? "wheel" : "rail", worst);
     EXPECT_LT(worst, 0.006 * 583.0) << body;  // 0.4 % on the usual cells
     EXPECT_GT(worst_half, 0.03 * 583.0) << body;
   }

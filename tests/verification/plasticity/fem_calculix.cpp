@@ -114,13 +114,6 @@ void expect_near(const OfPass& cells, const OfPass& expected, const Tolerance& t
   }
 }
 
-std::unique_ptr<RolledBody> slab_as_in_calculix(int per_half_width, double extent) {
-  SlabOptions options;
-  options.per_half_width = per_half_width;
-  options.extent = extent;
-  return rolled_slab(options);
-}
-
 }  // namespace
 
 // 3.9 k with Prager's hardening E/20; the same cells (there with 8 nodes), steps and clamped ends.
@@ -128,8 +121,7 @@ std::unique_ptr<RolledBody> slab_as_in_calculix(int per_half_width, double exten
 // strain and 0.007 p0 of stress along. In a copy of CalculiX's scheme that gives its numbers to
 // 1e-4, 6, 12 and 24 leave 5, 2.6 and 0.4 %, and 0.021, 0.011 and 0.003 p0.
 TEST(PlasticLineContact, FlowIsThatOfALoadMovedStepByStepInCalculix) {
-  const auto slab = slab_as_in_calculix(4, 40.0);
-  Passes passes = rolled_passes(*slab, 0.0);
+  Passes passes = rolled_passes(slab_of(4, 40.0), 0.0);
   passes.next();
   expect_near(means_over_cells(passes), without_friction, {0.018, 0.018, 0.008});
 }
@@ -138,8 +130,7 @@ TEST(PlasticLineContact, FlowIsThatOfALoadMovedStepByStepInCalculix) {
 // begins at the surface, the elements differ: by 6 and 2 % in the first pass, 3.5 and 0.9 % in the
 // third.
 TEST(PlasticLineContact, FlowOfThreePassesIsThatOfALoadMovedStepByStepInCalculix) {
-  const auto slab = slab_as_in_calculix(8, 20.0);
-  Passes passes = rolled_passes(*slab, 0.2);
+  Passes passes = rolled_passes(slab_of(8, 20.0), 0.2);
   for (const OfPass& expected : with_friction) {
     passes.next();
     expect_near(means_over_cells(passes), expected, {0.065, 0.01, 0.0075});

@@ -10,14 +10,6 @@ namespace {
 
 constexpr double shear_yield = 300.0;
 
-std::unique_ptr<RolledBody> balanced_slab(int per_half_width, double extent, bool wheel = false) {
-  SlabOptions options;
-  options.per_half_width = per_half_width;
-  options.extent = extent;
-  options.wheel = wheel;
-  return rolled_slab(options);
-}
-
 /// Calls f(point, stress) with the whole residual stress, MPa, by the elements' own law with the
 /// plastic strain subtracted, at the material points: the Gauss points of fine cells.
 template <class F>
@@ -76,13 +68,13 @@ std::array<double, 2> works(const Passes& passes) {
 // Behind the load nothing changes along the slab any more: equilibrium with the free surface leaves
 // no stress zz and xz at any depth.
 TEST(PlasticPassBalance, ResidualStressLeavesTheSurfaceAndEveryDepthFree) {
-  const auto slab = balanced_slab(6, 20.0);
-  Passes passes(*slab, plain_steel(shear_yield), 3.9 * shear_yield);
+  const RolledBody& slab = slab_of(6, 20.0);
+  Passes passes(slab, plain_steel(shear_yield), 3.9 * shear_yield);
   passes.next(2);
   double free = 0.0, along = 0.0;
   std::size_t points = 0;
   for_each_residual_stress(passes, [&](std::size_t k, const std::array<double, 6>& stress) {
-    if (std::abs(slab->lines.s(k % slab->lines.stations()) + 1.5) > 0.3) return;
+    if (std::abs(slab.lines.s(k % slab.lines.stations()) + 1.5) > 0.3) return;
     ++points;
     free = std::max({free, std::abs(stress[2]), std::abs(stress[5]), std::abs(stress[3])});
     along = std::max(along, std::abs(stress[0]));
@@ -98,8 +90,8 @@ TEST(PlasticPassBalance, ResidualStressLeavesTheSurfaceAndEveryDepthFree) {
 TEST(PlasticPassBalance, WorkOfTheLoadIsPlasticWorkInSteadyRatchetting) {
   std::array<double, 2> missing{};
   for (int n = 0; n < 2; ++n) {
-    const auto slab = balanced_slab(n == 0 ? 4 : 6, 20.0);
-    Passes passes(*slab, plain_steel(shear_yield), 4.4 * shear_yield);
+    const RolledBody& slab = slab_of(n == 0 ? 4 : 6, 20.0);
+    Passes passes(slab, plain_steel(shear_yield), 4.4 * shear_yield);
     passes.accuracy.residual = 1e-5;
     passes.next();
     const auto [first, of_first] = works(passes);
@@ -115,13 +107,13 @@ TEST(PlasticPassBalance, WorkOfTheLoadIsPlasticWorkInSteadyRatchetting) {
 
 // Mirrored at the plane of contact, a wheel is a rail whose friction has the other sign.
 TEST(PlasticPassBalance, AFlatWheelIsAMirroredRail) {
-  const auto rail = balanced_slab(4, 20.0), wheel = balanced_slab(4, 20.0, true);
-  Passes of_rail(*rail, plain_steel(shear_yield, 5e3), 3.8 * shear_yield, 0.2),
-      of_wheel(*wheel, plain_steel(shear_yield, 5e3), 3.8 * shear_yield, -0.2);
+  const RolledBody &rail = slab_of(4, 20.0), &wheel = slab_of(4, 20.0, true);
+  Passes of_rail(rail, plain_steel(shear_yield, 5e3), 3.8 * shear_yield, 0.2),
+      of_wheel(wheel, plain_steel(shear_yield, 5e3), 3.8 * shear_yield, -0.2);
   for (Passes* passes : {&of_rail, &of_wheel}) passes->next(2);
-  ASSERT_EQ(rail->lines.points(), wheel->lines.points());
+  ASSERT_EQ(rail.lines.points(), wheel.lines.points());
   double largest = 0.0, difference = 0.0;
-  for (std::size_t k = 0; k < rail->lines.points(); ++k) {
+  for (std::size_t k = 0; k < rail.lines.points(); ++k) {
     const auto &one = of_rail.state.plastic[k], &other = of_wheel.state.plastic[k];
     for (int c = 0; c < 6; ++c) {
       largest = std::max(largest, std::abs(one[c]));

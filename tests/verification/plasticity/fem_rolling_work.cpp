@@ -74,13 +74,10 @@ TEST(RollingWork, WithoutFrictionGoesIntoFlowAndResidualStress) {
 
 // 0.2 % are missing on cells of a/2.5, 1.2 % on a/3.4: not yet of an order.
 TEST(RollingWork, InFullSlidingIsSharedByFrictionAndFlow) {
-  for (const double cell : {0.8, 0.6}) {
-    SCOPED_TRACE(cell);
-    const Works of = works(0.2, 0.02, cell);
-    EXPECT_GT(of.friction, 0.35 * of.rigid);
-    EXPECT_GT(of.plastic, 0.35 * of.rigid);
-    EXPECT_LT(std::abs(of.missing()), 0.015);
-  }
+  const Works of = works(0.2, 0.02, 0.8);
+  EXPECT_GT(of.friction, 0.35 * of.rigid);
+  EXPECT_GT(of.plastic, 0.35 * of.rigid);
+  EXPECT_LT(std::abs(of.missing()), 0.015);
 }
 
 // 2.4 % too much on cells of a/2.5, 0.3 % missing on a/3.4, 0.06 % too much on a/4.5.
