@@ -9,7 +9,7 @@ from ..reader import read_result
 from ..result import registered
 from . import report, styles, tables
 from .figure import Figure
-from .page import draw, hint, made_by, section
+from .page import draw, hint, made_by, section, under
 
 
 def _models(cases):
@@ -40,7 +40,7 @@ def _columns(cases):
         if len(places) > MOST_PLACES:
             places, notes = [None], ["worst place"]
         for place, note in zip(places, notes):
-            yield case, place, escape(case["name"]) + (f"<br><span class=d>{note}</span>" if note else "")
+            yield case, place, under(escape(case["name"]), note) if note else escape(case["name"])
 
 
 def _difference_cell(standing):
@@ -52,7 +52,7 @@ def _difference_cell(standing):
     note = f"bars ±{tables.number(100 * abs(standing['allowed_there']), 2)}"
     if beyond and standing["compared"] > 1:
         note += f"<br>at {standing['differ']} of {standing['compared']}"
-    return (f"<b>{value}</b>" if beyond else value) + f"<br><span class=d>{note}</span>"
+    return under(f"<b>{value}</b>" if beyond else value, note)
 
 
 def _heading(quantity):
@@ -60,7 +60,7 @@ def _heading(quantity):
     of = quantity["relative_to"]
     of = "of the reference" if of == "value" else f"of {tables.symbol(of)}"
     title = " ".join(filter(None, (escape(quantity["title"]), tables.symbol(quantity["symbol"]))))
-    return f"{title}<br><span class=d>% {of}</span>"
+    return under(title, f"% {of}")
 
 
 def _difference_table(heading, columns):

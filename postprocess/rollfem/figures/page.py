@@ -134,6 +134,11 @@ def hint(text):
     return f"<p class=hint>{text}</p>" if text else ""
 
 
+def under(html, note):
+    """HTML with a note under it in small letters, as in the cells of tables."""
+    return f"{html}<br><span class=d>{note}</span>"
+
+
 def _slug(text, taken):
     """A unique id for a heading."""
     plain = re.sub(r"<[^>]*>|&[a-z]+;", "", text)

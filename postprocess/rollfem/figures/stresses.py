@@ -9,7 +9,7 @@ from ..stresses import stress_measures
 from . import labels, load_points, styles
 from .figure import Figure
 from .maps import colour_scale, filled
-from .page import hint, section
+from .page import hint, section, under
 from .tables import measured, number, plain, table
 
 
@@ -81,7 +81,7 @@ def caption(kind, body):
 def largest_cell(value, error, place, more=""):
     """Value, bar and place of a largest stress, with a remark on the place."""
     at = ", ".join(number(round(float(x), 2) + 0.0, 3) for x in place)
-    return f"{measured(value, error, 4)}<br><span class=d>at ({at}) mm{more}</span>"
+    return under(measured(value, error, 4), f"at ({at}) mm{more}")
 
 
 def largest_table(heads, cell_of):
@@ -178,8 +178,8 @@ def depth_profile(result, by_body):
     looks = _looks(result)
     figure = Figure(len(MEASURES) if several else 2, in_rows=several)
     for body, parts in by_body.items():
-        under = [f"{v:.2f}".replace("-", "−") if abs(v) >= 5e-3 else "0" for v in (parts[0][2][c][0] for c in "xy")]
-        place = f"{body}, under x = {under[0]}, y = {under[1]} mm"
+        spot = [f"{v:.2f}".replace("-", "−") if abs(v) >= 5e-3 else "0" for v in (parts[0][2][c][0] for c in "xy")]
+        place = f"{body}, under x = {spot[0]}, y = {spot[1]} mm"
         if not several:
             panel = _depth_panel(figure, 270, place, "stress [MPa]")
         for column, label, ink in MEASURES:

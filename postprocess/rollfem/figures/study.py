@@ -7,7 +7,7 @@ import numpy as np
 from . import report, styles, tables
 from .figure import Figure
 from .labels import math
-from .page import case_file, hint, made_by, section
+from .page import case_file, hint, made_by, section, under
 
 PATCH = ["max_pressure", "semi_axis_x", "semi_axis_y", "contact_length", "contact_width", "approach"]
 SMALLEST = 1e-9  # relative; smaller errors cannot be drawn
@@ -162,11 +162,6 @@ def _heading(place, key):
     return f"−F<sub>x</sub>/F<sub>z</sub> at ξ = {tables.plain(_xi(place, key))} %"
 
 
-def _noted(html, note):
-    """A cell with a note under it."""
-    return f"{html}<br><span class=d>{escape(note)}</span>"
-
-
 def _value_cell(place, series, level, key):
     if key not in level["values"]:
         return "–"
@@ -175,9 +170,9 @@ def _value_cell(place, series, level, key):
         return html
     # The finest value may itself be the reference, which has no error.
     if series["references"][key]["kind"] == "finest" and level is series["levels"][-1] and level["errors"].get(key) == 0:
-        return _noted(html, "the reference")
+        return under(html, "the reference")
     order = level.get("orders", {}).get(key)
-    return _noted(html, f"{tables.number(100 * level['errors'][key], 2)} %{' of μ' * _is_coefficient(key)}"
+    return under(html, f"{tables.number(100 * level['errors'][key], 2)} %{' of μ' * _is_coefficient(key)}"
                   + (f", order {tables.number(order, 3)}" if order is not None else ""))
 
 
@@ -187,11 +182,11 @@ def _limit_cell(limit):
     note = "converged to rounding" if limit.get("settled") else "no order"
     if "order" in limit:
         note = f"order {tables.number(limit['order'], 3)}{', fitted' if limit['fitted'] else ''}"
-    return _noted(f"{tables.number(limit['value'], 6)} <span class=e>± {tables.number(limit['uncertainty'], 2)}</span>", note)
+    return under(f"{tables.number(limit['value'], 6)} <span class=e>± {tables.number(limit['uncertainty'], 2)}</span>", note)
 
 
 def _reference_cell(reference):
-    return "–" if reference is None else _noted(
+    return "–" if reference is None else under(
         tables.measured(reference["value"], reference["uncertainty"], 6), reference["kind"])
 
 

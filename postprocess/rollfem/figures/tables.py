@@ -7,7 +7,7 @@ from html import escape
 from ..result import place_label
 from . import load_points, styles
 from .labels import symbol
-from .page import hint
+from .page import hint, under
 from .published import published
 
 
@@ -67,7 +67,7 @@ def with_bar(point, quantity, digits=5):
     html = barred(point, quantity, digits)
     model_error = point.model_error.get(quantity)
     if model_error is not None:
-        html += f"<br><span class=d>model ±&nbsp;{number(model_error, 2)}</span>"
+        html = under(html, f"model ±&nbsp;{number(model_error, 2)}")
     return html
 
 
@@ -79,7 +79,7 @@ def against(point, base, quantity, scale):
     difference = point[quantity] - base[quantity]
     allowed = (point.bar(quantity) or 0.0) + (base.bar(quantity) or 0.0) + 1e-9 * abs(base[quantity])
     text = percent(100 * difference / abs(scale))
-    return f"<br><span class=d>{f'<b>{text}</b>' if abs(difference) > allowed else text}</span>"
+    return under("", f"<b>{text}</b>" if abs(difference) > allowed else text)
 
 
 # With this many columns a table is printed in landscape format (page.page).
@@ -155,7 +155,7 @@ def published_table(result):
     def cell(value):
         if not isinstance(value, dict):
             return "–" if value is None else plain(value)
-        return f"{plain(value['value'])}<br><span class=d>ξ = {plain(100 * value['xi'])} %</span>"
+        return under(plain(value["value"]), f"ξ = {plain(100 * value['xi'])} %")
 
     lines = [[heading(result.quantities[name])] + [cell(row.get(name)) for row in rows]
              for name in [*PATCH, "max_traction_x"] if any(name in row for row in rows)]
@@ -196,7 +196,7 @@ def _with_forces(models, found, words):
     def said(key):
         point = next(p for m in models if (p := m.at(key)))
         forces = ", ".join(f"F<sub>{axis}</sub> = {plain(point[force])} N" for _, force, axis, *_ in found)
-        return f"{words(key)}<br><span class=d>{forces}</span>"
+        return under(words(key), forces)
 
     return said
 
@@ -270,8 +270,8 @@ def cost_table(result):
     rows = []
     for model in result.models:
         parts = sorted(((s, stage) for stage, s in model.seconds.items() if stage != "total"), key=lambda part: -part[0])
-        place = f"<br><span class=d>{escape(place_label(model.place))}</span>" if model.place else ""
-        rows.append([escape(styles.label(model)) + place, number(model.seconds.get("total"), 3),
+        label = escape(styles.label(model))
+        rows.append([under(label, escape(place_label(model.place))) if model.place else label, number(model.seconds.get("total"), 3),
                      ", ".join(f"{escape(stage)} {number(s, 3)}" for s, stage in parts) or "–",
                      grouped(model.unknowns), grouped(model.contact_elements), str(len(model.points))])
     return table(["model", "seconds", "of which", "unknowns", "contact elements", "load points"], rows, "left")
