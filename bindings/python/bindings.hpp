@@ -30,15 +30,6 @@ inline MissingRows missing_rows(const std::vector<Missing>& missing) {
   return rows;
 }
 
-/// A result as results.h5 holds it, (attributes, entries, parts) with dictionaries by name, parts
-/// being such tuples. Arrays are views of the result without copies; each keeps the whole result
-/// alive.
-py::tuple contents_of(const Shared& result);
-
-/// The state of a pickled result, and the result of a state.
-py::tuple packed(const Result& result);
-Shared unpacked(const py::tuple& state);
-
 /// The models of the package.
 const contact::ModelRegistry& known_models();
 
@@ -53,11 +44,8 @@ py::dict dict_of(const Whole& whole) {
   return found;
 }
 
-/// {name: (title, symbol, unit, meaning, percent_of)}, in the order of the files.
-py::dict quantities();
-/// {name: (unit, description, sign)}
-py::dict fields();
-
+/// The class Result, its contents, and what they are.
+void define_results(py::module_& module);
 /// The class CreepTable, on which rollfem.Table is made, and `fill_table`.
 void define_tables(py::module_& module);
 /// The classes Scene, Level, Computing and Computation, by which studies and comparisons solve.

@@ -13,7 +13,6 @@
 #include "models/program/provenance.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "result/files/files_together.hpp"
-#include "result/quantities.hpp"
 #include "result/record.hpp"
 
 #include <algorithm>
@@ -131,19 +130,11 @@ class Computation {
                                                                : text;
   }
 
-  std::optional<py::bytes> find(const std::string& name) {
-    const auto found = kept_ == nullptr ? std::nullopt : kept_->find(name);
-    return found ? std::optional<py::bytes>(*found) : std::nullopt;
-  }
-  void keep(const std::string& name, const std::string& record) {
-    if (kept_ != nullptr) kept_->keep(name, record);
-  }
-  void refuse(const std::string& name) {
-    if (kept_ != nullptr) kept_->refuse(name);
-  }
-  void drop(const std::string& begin) {
-    if (kept_ != nullptr) kept_->drop(begin);
-  }
+  /// Stored work; null where there is none.
+  result::CheckpointFolder* kept() { return kept_; }
+  /// Null in Python.
+  modelling::CommandFrame* frame() { return frame_ ? &*frame_ : nullptr; }
+
   void keep_in(const std::string& folder, const Case& input) {
     if (frame_) kept_ = frame_->keep_in(folder, input);
   }
@@ -158,16 +149,6 @@ class Computation {
   bool whole() const { return asked_ == nullptr || asked_->own.whole(); }
   bool holds(std::size_t k) const { return asked_ == nullptr || asked_->own.holds(k); }
   bool ends_part() { return frame_ && frame_->ends_part(); }
-  void say(const std::string& line) {
-    if (frame_) frame_->say(line);
-  }
-  void clear_line() {
-    if (frame_) frame_->clear_line();
-  }
-  void own(const std::string& folder) {
-    if (frame_) frame_->own(folder);
-  }
-
   result::Provenance provenance(const std::string& command) const {
     return frame_ ? frame_->provenance() : modelling::provenance_of(known_models(), command);
   }
@@ -218,6 +199,14 @@ class Computation {
   Solving how_;
   result::CheckpointFolder* kept_ = nullptr;
 };
+
+/// A method of the frame, or of stored work, which does nothing without one.
+template <class Part, class Whole, class... Taken>
+auto through(Part* (Computation::*part)(), void (Whole::*method)(Taken...)) {
+  return [=](Computation& self, std::decay_t<Taken>... taken) {
+    if (Part* const whole = (self.*part)()) (whole->*method)(std::move(taken)...);
+  };
+}
 
 /// {program: {version, commit}, host, started, command, processes, labels}: the head of JSON files.
 py::dict provenance_of(const result::Provenance& made) {
@@ -270,14 +259,6 @@ Shared exact_of(const Scene& scene) {
   auto result = std::make_shared<Result>();
   result->models = {*found.value};
   return result;
-}
-
-/// Names of the quantities by which models are compared.
-std::vector<std::string> compared_quantities() {
-  std::vector<std::string> names;
-  for (const contact::Quantity& quantity : contact::quantities())
-    if (quantity.use >= contact::QuantityUse::compared) names.emplace_back(quantity.name);
-  return names;
 }
 
 void define_scenes(py::module_& module) {
@@ -339,7 +320,6 @@ void define_computations(py::module_& module) {
   define_scenes(module);
   define_frame(module);
   module.def("model_infos", &model_infos);
-  module.def("compared_quantities", &compared_quantities);
   module.def("checked_names", [](const std::vector<std::string>& names, const std::string& option) {
     return modelling::checked_names(known_models(), names, option);
   });
@@ -361,10 +341,14 @@ void define_computations(py::module_& module) {
            })
       .def("solve_levels", &Computation::solve_levels)
       .def("from_first", &Computation::from_first)
-      .def("find", &Computation::find)
-      .def("keep", &Computation::keep)
-      .def("refuse", &Computation::refuse)
-      .def("drop", &Computation::drop)
+      .def("find",
+           [](Computation& self, const std::string& name) {
+             const auto found = self.kept() == nullptr ? std::nullopt : self.kept()->find(name);
+             return found ? std::optional<py::bytes>(*found) : std::nullopt;
+           })
+      .def("keep", through(&Computation::kept, &contact::Checkpoint::keep))
+      .def("refuse", through(&Computation::kept, &contact::Checkpoint::refuse))
+      .def("drop", through(&Computation::kept, &result::CheckpointFolder::drop))
       .def("keep_in", &Computation::keep_in)
       .def("forget_kept", &Computation::forget_kept)
       .def_property_readonly("first", &Computation::first)
@@ -373,9 +357,12 @@ void define_computations(py::module_& module) {
       .def_property_readonly("whole", &Computation::whole)
       .def("holds", &Computation::holds)
       .def("ends_part", &Computation::ends_part)
-      .def("say", &Computation::say)
-      .def("clear_line", &Computation::clear_line)
-      .def("own", &Computation::own)
+      .def("say", through(&Computation::frame, &modelling::CommandFrame::say))
+      .def("clear_line", through(&Computation::frame, &modelling::CommandFrame::clear_line))
+      .def("own",
+           [](Computation& self, const std::string& folder) {
+             if (self.frame() != nullptr) self.frame()->own(folder);
+           })
       .def("provenance", [](const Computation& self, const std::string& command) {
         return provenance_of(self.provenance(command));
       });

@@ -98,7 +98,6 @@ void define_progress(py::module_& module) {
       });
 }
 
-/// Cases and results; signatures of what takes and gives them name these classes.
 void define_cases(py::module_& module) {
   py::class_<Case>(module, "Case")
       .def_readonly("file", &Case::file)
@@ -125,9 +124,6 @@ void define_cases(py::module_& module) {
       .def_property_readonly("neglected", &profiles::neglected_in_files)
       .def("describe", [](const Case& input) { return rollfem::describe(input); })
       .def("text_in_folder", &contact::text_in_folder);
-  py::class_<Result, std::shared_ptr<Result>>(module, "Result")
-      .def_readonly("verdict", &Result::verdict)
-      .def(py::pickle(&packed, &unpacked));
 }
 
 }  // namespace
@@ -158,7 +154,9 @@ PYBIND11_MODULE(_core, module) {
     }
   });
   python::define_progress(module);
+  // Signatures of what takes and gives cases and results name these classes.
   python::define_cases(module);
+  python::define_results(module);
   python::define_tables(module);
   python::define_computations(module);
   python::define_stress(module);
@@ -178,11 +176,8 @@ PYBIND11_MODULE(_core, module) {
   module.def("threads", [] { return python::wanted_threads().load(); });
   module.def("use_threads", [](int number) { python::wanted_threads() = number; });
   module.def("solve", &python::solved);
-  module.def("contents_of", &python::contents_of);
   module.def("write", &python::written);
   module.def("keys", &python::keys);
-  module.def("quantities", &python::quantities);
-  module.def("fields", &python::fields);
   module.def("figures_directory", &figures_directory);
   module.def("version", &version);
 }

@@ -70,8 +70,9 @@ std::string program() {
   return modelling::version() + ' ' + modelling::commit();
 }
 
-}  // namespace
-
+/// A result as results.h5 holds it, (attributes, entries, parts) with dictionaries by name, parts
+/// being such tuples. Arrays are views of the result without copies; each keeps the whole result
+/// alive.
 py::tuple contents_of(const Shared& result) {
   py::tuple whole = tuple_of(result::head_tree(*result), result);
   py::dict models;
@@ -91,6 +92,7 @@ py::tuple contents_of(const Shared& result) {
   return whole;
 }
 
+/// The state of a pickled result, and the result of a state.
 py::tuple packed(const Result& result) {
   Result copy = result;
   contact::Record record;
@@ -111,20 +113,35 @@ Shared unpacked(const py::tuple& state) {
   return result;
 }
 
+/// {name: (title, symbol, unit, meaning, percent_of, whether models are compared by it)}, in the
+/// order of the files.
 py::dict quantities() {
   py::dict found;
   for (const contact::Quantity& quantity : contact::quantities())
     found[quantity.name] = py::make_tuple(quantity.title, quantity.symbol, quantity.unit,
-                                          quantity.meaning, contact::text_of(quantity.scale));
+                                          quantity.meaning, contact::text_of(quantity.scale),
+                                          quantity.use >= contact::QuantityUse::compared);
   return found;
 }
 
+/// {name: (unit, description, sign)}
 py::dict fields() {
   py::dict found;
   for (const contact::PointField& field : contact::point_fields())
     found[field.name] = py::make_tuple(field.unit, field.description, field.sign);
   found["state"] = py::make_tuple("-", contact::state_meaning, "");
   return found;
+}
+
+}  // namespace
+
+void define_results(py::module_& module) {
+  py::class_<Result, std::shared_ptr<Result>>(module, "Result")
+      .def_readonly("verdict", &Result::verdict)
+      .def(py::pickle(&packed, &unpacked));
+  module.def("contents_of", &contents_of);
+  module.def("quantities", &quantities);
+  module.def("fields", &fields);
 }
 
 }  // namespace rollfem::python

@@ -28,6 +28,7 @@ class Quantity:
     unit: str  #: "-" if it has none
     meaning: str = ""
     percent_of: str = ""  #: reference of errors and differences in percent: "value", "mu F_z", ...
+    compared: bool = False  #: whether models are compared by it; not in files
 
     @property
     def label(self) -> str:

@@ -78,7 +78,7 @@ class Number:
 @cache
 def quantities() -> dict[str, Quantity]:
     """By which models are compared: those of the patch first, then those of friction."""
-    found = {name: QUANTITIES[name] for name in _core.compared_quantities()}
+    found = {name: quantity for name, quantity in QUANTITIES.items() if quantity.compared}
     ordered = dict(sorted(found.items(), key=lambda item: item[1].of_friction))
     ordered["lateral_coefficient"] = replace(QUANTITIES["traction_coefficient"], title="lateral coefficient", symbol="-F_y/F_z")
     for name, (symbol, _) in FOUND.items():
