@@ -159,9 +159,10 @@ StripElements chord_elements(const BrushStrip& strip, int count) {
 
 namespace {
 
-/// What friction leaves of the bound at rest, as the material goes through a strip. Its slip
-/// velocity is that of the rigid slip: with the slip of the brushes themselves the problem would
-/// have no solution that stays as elements are refined, for brushes do not feel each other.
+/// Fraction of the bound at rest that falling friction leaves, as the material goes through a
+/// strip. Its slip velocity is that of the rigid slip: with the slip of the brushes themselves the
+/// problem would have no solution that stays as elements are refined, for brushes do not feel each
+/// other.
 class FallingBound {
  public:
   explicit FallingBound(const contact::FrictionLaw* law)

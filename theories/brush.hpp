@@ -51,8 +51,8 @@ class StripTheory {
 
   /// Whether the strip adheres at x; from the leading edge as far as 2 d - a.
   bool adheres(double x) const { return x > 2.0 * slip_ - half_length_; }
-  /// Its mean over an element of that length about x, where the strip adheres: with small creepages
-  /// it grows without bound towards the trailing edge.
+  /// Mean traction over an element of length `step` about x, where the strip adheres: with small
+  /// creepages the traction grows without bound towards the trailing edge.
   Traction traction(double x, double step) const;
 
  private:
@@ -60,7 +60,7 @@ class StripTheory {
   double half_length_;        ///< a, mm
   double slip_ = 0.0;         ///< d, half the length of the slip area, mm; infinite: no adhesion
   double across_ = 0.0;       ///< P
-  double k_ = 0.0, l_ = 0.0;  ///< of the part that is taken away
+  double k_ = 0.0, l_ = 0.0;  ///< of the subtracted part
 };
 
 /// A line along x through the patch.
@@ -70,7 +70,7 @@ struct BrushStrip {
   double bound = 0.0;        ///< MPa, largest traction bound of the strip; may be infinite
   BoundShape shape = BoundShape::parabolic;
   double middle = 0.0;  ///< mm, x halfway between its ends; nonzero when the wheel is yawed
-  /// By which the bound, that at rest, falls with the rigid slip; null: it does not.
+  /// Law by which the bound falls from that at rest with the rigid slip; null: it does not fall.
   const contact::FrictionLaw* law = nullptr;
   /// FaStrip: adhesion by this theory; brushes give the direction of the traction where it slips.
   std::optional<StripTheory> theory{};

@@ -5,6 +5,7 @@
 #include "result/bars.hpp"
 #include "result/quantities.hpp"
 #include "theories/brush.hpp"
+#include "theories/theory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -161,6 +162,15 @@ contact::ModelResult run_carter(const contact::Scene& scene, const contact::Prog
                    : "Carter by strips: error estimates cover the resolution only; the "
                      "theory is for patches much wider than long"});
   return result;
+}
+
+contact::ModelInfo carter_model() {
+  using contact::Demand;
+  contact::ModelInfo model = theory(
+      "carter", "Carter", "strips of an ellipse along rolling, each a line contact",
+      {Demand::line_contact, Demand::extra_slip}, with_pass_work(run_carter), strips_on_ellipse);
+  model.refinements = {refined_strips<contact::CarterOptions, &contact::ModelOptions::carter>()};
+  return model;
 }
 
 }  // namespace rollfem::theories

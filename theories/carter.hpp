@@ -42,7 +42,8 @@ class CarterSolution {
 /// The model "carter": every strip of Hertz's ellipse rolls as a line contact with the strip's
 /// length and pressure, with the extra rigid slip of the case. The forces are exact integrals along
 /// x and sums over strips across. Exact for a patch much wider than long; the initial slope is that
-/// of plane strain. Throws contact::InputError for lateral creepage or spin.
+/// of plane strain. Longitudinal creepage only.
 contact::ModelResult run_carter(const contact::Scene& scene, const contact::Progress& progress);
+contact::ModelInfo carter_model();
 
 }  // namespace rollfem::theories

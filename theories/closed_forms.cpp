@@ -5,6 +5,7 @@
 #include "halfspace/closed_forms/kalker.hpp"
 #include "theories/brush.hpp"
 #include "theories/elliptic_patch.hpp"
+#include "theories/theory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -183,6 +184,34 @@ contact::ModelResult run_polach(const contact::Scene& scene, const contact::Prog
     result.notes.push_back(
         {"memory_distance", "friction is that of the rigid slip; memory_distance is neglected"});
   return result;
+}
+
+contact::ModelInfo linear_model() {
+  using contact::Demand;
+  contact::ModelInfo model = theory(
+      "linear", "linear theory", "Kalker's linear theory: creep forces without a friction bound",
+      {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin},
+      elliptic(run_linear, true), closed_form);
+  model.bounded = false;
+  return model;
+}
+
+contact::ModelInfo vermeulen_johnson_model() {
+  using contact::Demand;
+  return theory("vermeulen-johnson", "Vermeulen-Johnson",
+                "Vermeulen and Johnson's creep forces on an ellipse; spin by Shen, Hedrick "
+                "and Elkins",
+                {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin},
+                elliptic(run_vermeulen_johnson, true), closed_form);
+}
+
+contact::ModelInfo polach_model() {
+  using contact::Demand;
+  return theory("polach", "Polach",
+                "Polach's closed form of the creep force with spin, for comparison",
+                {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin,
+                 Demand::falling_friction},
+                elliptic(run_polach, true), closed_form);
 }
 
 }  // namespace rollfem::theories

@@ -36,7 +36,7 @@ double polach_gradient(double linear_force, double friction_force);
 /// adhesion and k_S of the slip area, 1 for clean surfaces.
 double polach_saturation(double gradient, double adhesion, double slip);
 
-// The models throw contact::InputError for extra rigid slip, which these theories do not include.
+// These theories leave out extra rigid slip.
 
 /// The forces follow from Kalker's coefficients (halfspace/closed_forms/kalker.hpp), without a
 /// bound; the tractions are those of the simplified theory without slip, which have the same F_x
@@ -51,5 +51,9 @@ contact::ModelResult run_vermeulen_johnson(const contact::Scene& scene,
 /// Forces only, by the friction coefficient of the rigid slip. Tractions are spread like the
 /// pressure, and no slip is given.
 contact::ModelResult run_polach(const contact::Scene& scene, const contact::Progress& progress);
+
+contact::ModelInfo linear_model();
+contact::ModelInfo vermeulen_johnson_model();
+contact::ModelInfo polach_model();
 
 }  // namespace rollfem::theories

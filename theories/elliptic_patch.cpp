@@ -5,7 +5,8 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "scene/geometry.hpp"
-#include "theories/theory_models.hpp"
+#include "theories/equivalent_ellipse.hpp"
+#include "theories/theory.hpp"
 
 #include <cmath>
 #include <utility>
@@ -76,7 +77,6 @@ contact::ContactFields resting_fields(const contact::ContactGrid& grid,
 contact::ModelResult run_theory(const contact::Scene& scene, const contact::ContactGrid& grid,
                                 const contact::PointResult& normal, const std::string& name,
                                 const contact::Progress& progress, const FillTangential& fill) {
-  theories::models().check(scene, name);  // for callers other than the registry
   const contact::Stopwatch watch;
   contact::ModelResult result;
   result.name = name;
@@ -197,6 +197,24 @@ contact::ModelResult run_hertz(const contact::Scene& scene, const contact::Progr
        "patch, pressure, approach and area are exact; the fields are sampled at element centres"}};
   report_done(result, "normal", 0, progress);
   return result;
+}
+
+contact::ModelInfo hertz_model() {
+  using contact::Demand;
+  // Frictionless: accepts any problem and gives only the patch.
+  contact::ModelInfo model =
+      theory("hertz", "Hertz", "elliptic patch and pressure in closed form, without friction",
+             {Demand::line_contact, Demand::history, Demand::tangential_force, Demand::profiles,
+              Demand::sections, Demand::lateral_creepage, Demand::spin, Demand::extra_slip,
+              Demand::extra_slip_on_profiles, Demand::falling_friction, Demand::varying_friction,
+              Demand::layer, Demand::plastic_layer},
+             [](const contact::Scene& scene, const contact::Progress& progress) {
+               return scene.has_profiles() ? run_hertz_of_patch(scene, progress)
+                                           : run_hertz(scene, progress);
+             },
+             {false, true, closed_form.bars});
+  model.frictionless = model.in_compare = true;
+  return model;
 }
 
 }  // namespace rollfem::theories

@@ -38,8 +38,8 @@ EllipticPatch elliptic_patch(const contact::Scene& scene);
 /// normal solution.
 using FillTangential = std::function<void(contact::PointResult&)>;
 
-/// Result record of a theory: `fill` completes every load point of the case, starting from
-/// `normal`. Throws contact::InputError when the model `name` does not support the case.
+/// Result record of the theory `name`: `fill` completes every load point of the case, starting from
+/// `normal`.
 contact::ModelResult run_theory(const contact::Scene& scene, const contact::ContactGrid& grid,
                                 const contact::PointResult& normal, const std::string& name,
                                 const contact::Progress& progress, const FillTangential& fill);
@@ -66,5 +66,6 @@ contact::ContactFields resting_fields(const contact::ContactGrid& grid,
 /// The model "hertz": patch, pressure and approach; no friction. Tractions are sampled on the
 /// case's contact grid.
 contact::ModelResult run_hertz(const contact::Scene& scene, const contact::Progress& progress);
+contact::ModelInfo hertz_model();
 
 }  // namespace rollfem::theories

@@ -4,6 +4,7 @@
 #include "base/errors.hpp"
 #include "contact/iteration/compliance.hpp"
 #include "theories/closed_forms.hpp"
+#include "theories/theory.hpp"
 
 #include <fmt/format.h>
 
@@ -183,6 +184,29 @@ contact::ModelResult run_fastrip(const contact::Scene& scene, const contact::Pro
   one.flexibilities = Flexibilities::one;
   one.slope_reduction = FastsimOptions().slope_reduction;
   return run_brushes(true, scene, progress, one);
+}
+
+contact::ModelInfo fastsim_model() {
+  using contact::Demand;
+  contact::ModelInfo model = theory(
+      "fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse",
+      {Demand::tangential_force, Demand::profiles, Demand::sections, Demand::lateral_creepage,
+       Demand::spin, Demand::extra_slip, Demand::falling_friction, Demand::layer},
+      with_pass_work(elliptic(run_fastsim)), strips_on_ellipse);
+  model.refinements = {refined_strips<FastsimOptions, &contact::ModelOptions::fastsim>()};
+  model.own_bound = model.in_compare = true;
+  return model;
+}
+
+contact::ModelInfo fastrip_model() {
+  using contact::Demand;
+  contact::ModelInfo model = theory(
+      "fastrip", "FaStrip", "FASTSIM's direction of slip with the adhesion area of strip theory",
+      {Demand::tangential_force, Demand::profiles, Demand::sections, Demand::lateral_creepage,
+       Demand::spin, Demand::extra_slip},
+      with_pass_work(elliptic(run_fastrip)), strips_on_ellipse);
+  model.refinements = {refined_strips<FastsimOptions, &contact::ModelOptions::fastsim>()};
+  return model;
 }
 
 }  // namespace rollfem::theories

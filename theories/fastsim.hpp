@@ -36,4 +36,7 @@ contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Pro
 /// three, tractions in full sliding are not opposite to the slip.
 contact::ModelResult run_fastrip(const contact::Scene& scene, const contact::Progress& progress);
 
+contact::ModelInfo fastsim_model();
+contact::ModelInfo fastrip_model();
+
 }  // namespace rollfem::theories

@@ -7,6 +7,8 @@
 #include "base/root.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "halfspace/patch/ridge.hpp"
+#include "theories/equivalent_ellipse.hpp"
+#include "theories/theory.hpp"
 
 #include <fmt/format.h>
 
@@ -440,6 +442,21 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
                       "Hertz only at its own value of this fraction",
                       *options.virtual_penetration);
   return result;
+}
+
+contact::ModelInfo strip_model() {
+  using contact::Demand;
+  contact::ModelInfo model = theory(
+      "strip", "strip", "strips along rolling, each with Hertzian pressure and brushes",
+      {Demand::tangential_force, Demand::profiles, Demand::sections, Demand::lateral_creepage,
+       Demand::spin, Demand::extra_slip, Demand::extra_slip_on_profiles},
+      with_pass_work([](const contact::Scene& scene, const contact::Progress& progress) {
+        return run_each_load(run_strip, scene, progress);
+      }),
+      {true, false});
+  model.refinements = {refined_strips<contact::StripOptions, &contact::ModelOptions::strip>()};
+  model.own_bound = model.in_compare = true;
+  return model;
 }
 
 }  // namespace rollfem::theories

@@ -91,5 +91,6 @@ StripSection strip_section(const StripProfile& profile, const StripNormalSolutio
 /// pressure, 3 pi/8 mu p0(y) in the middle. Extra rigid slip is allowed. error_estimate covers the
 /// resolution only.
 contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progress& progress);
+contact::ModelInfo strip_model();
 
 }  // namespace rollfem::theories

@@ -6,7 +6,7 @@
 
 namespace rollfem::theories {
 
-/// From the simplest: hertz, linear, vermeulen-johnson, polach, carter, fastsim, fastrip, strip.
+/// Simplest first: hertz, linear, vermeulen-johnson, polach, carter, fastsim, fastrip, strip.
 const contact::ModelRegistry& models();
 
 }  // namespace rollfem::theories
