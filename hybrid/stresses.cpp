@@ -30,7 +30,7 @@ namespace {
 /// finite-element model.
 constexpr double reach_above = 0.125;
 
-/// From the axes of the surface to x, y, z.
+/// Turns a state from the axes of the surface to x, y, z.
 void turn(const contact::Axes& axes, SubsurfaceState& state) {
   state.stress = contact::out_of_axes(axes, state.stress);
   state.displacement = contact::out_of_axes(axes, state.displacement);

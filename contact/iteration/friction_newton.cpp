@@ -22,7 +22,7 @@ constexpr double fast = 1e9;
 /// Feedback above which small changes grow: 1 plus the uncertainty of the estimate.
 constexpr double largest_feedback = 1.02;
 
-/// Of the eigenvalues of a Hessenberg matrix.
+/// The largest real part of the eigenvalues of a Hessenberg matrix.
 double largest_real_part(const Eigen::MatrixXd& hessenberg) {
   Eigen::RealSchur<Eigen::MatrixXd> schur(hessenberg.rows());
   schur.computeFromHessenberg(hessenberg, hessenberg, false);
@@ -58,9 +58,9 @@ void enlarge(Eigen::VectorXd& values, Eigen::Index n) {
 
 }  // namespace
 
-/// Of a single element, or of all together: with tractions in proportion to the pressure, the
-/// largest slip per traction bounds the feedback of operators with positive entries, such as those
-/// of shifts, where the elements help one another.
+/// Compares the steepness of a single element and of all elements together: with tractions in
+/// proportion to the pressure, the largest slip per traction bounds the feedback of operators with
+/// positive entries, such as those of shifts, where the elements help one another.
 bool FrictionNewton::falls_steeply() {
   if (!feels_slip_) return steep_ = false;
   const Index size = count_;
@@ -383,7 +383,7 @@ void FrictionNewton::set_drag(double drag) {
   evaluate(*point_);
 }
 
-/// From the traction and slip of a point.
+/// Computes value and norm of a point from its traction and slip.
 void FrictionNewton::evaluate(Point& point) {
   point.trial = point.traction - r_ * point.slip;
   if (drag_ > 0.0) point.trial -= r_ * drag_ * (point.traction - dragged_from_);

@@ -72,7 +72,7 @@ class FrictionNewton {
   void find_first_point(const TangentialField& start);
   void stick_fully(Point& point);
   void linearise(const Point& point);
-  /// What the preconditioner takes for the Jacobian.
+  /// The linearisation for the preconditioner, in which stiff layers adhere.
   const Linearisation& preconditioned() {
     if (!feels_slip() || !state_.hardens()) return at_;
     nearly_ = at_;

@@ -73,7 +73,7 @@ SteepCause steep_cause(const FrictionLaw& law, double steepness, double way);
 // How a layer between the bodies yields (Plasticity) while a particle moves from one contact
 // element to the next, or in a step of a history: the plastic displacement u* that it has gathered.
 
-/// What a particle meets on its way to an element, and the motion there.
+/// State of a particle, slip and friction at both ends of its way to an element.
 struct YieldStep {
   double before = 0.0;          ///< u* at the beginning, mm
   double way = 0.0;             ///< mm rolled, 1 in a shift
@@ -137,7 +137,7 @@ class FrictionState {
   void change(const Given& slip_change, const Given& trial_change, Vector bound_change) const;
 
  private:
-  /// What the element behind depends on.
+  /// Law and rate of an element, on which the element behind it depends.
   struct Ahead {
     FrictionLaw::Coefficient law;
     double rate = 0.0, rate_by_slip = 0.0;
@@ -165,7 +165,7 @@ class FrictionState {
   double plastic_before(Index e) const;
   /// tau_c, MPa; at least a tiny fraction of `friction`, so that the traction keeps a direction.
   double yield_stress(double plastic, double friction) const;
-  /// Of all elements with derivatives.
+  /// Computes mu and u* of all elements, with their derivatives.
   void follow(const Given& slip, const Given& trial);
   Ahead follow_friction(Index e, double size, const Ahead& ahead);
   void follow_yield(Index e, double size, double size_ahead, double trial);

@@ -86,7 +86,7 @@ ProgressEvent ContactRun::event_of(std::size_t k) const {
 
 bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
   std::size_t k = 0;
-  return begin(grid, make) && go_on([&]() -> std::optional<std::size_t> {
+  return begin(grid, make) && solve_each([&]() -> std::optional<std::size_t> {
            if (k == scene_.points.size()) return {};
            return k++;
          });
@@ -117,7 +117,7 @@ void ContactRun::solve_without_friction(const ContactGrid& grid, const MakeElast
   if (!problem_) prepare();
 }
 
-bool ContactRun::go_on(const std::function<std::optional<std::size_t>()>& next) {
+bool ContactRun::solve_each(const std::function<std::optional<std::size_t>()>& next) {
   bool restoring = store_ != nullptr;
   while (const std::optional<std::size_t> k = next())
     if (!solve_or_restore(*k, restoring)) return false;

@@ -48,7 +48,7 @@ class Elasticity {
   virtual void check_patch(const PatchSize&) const {}
   /// Adds model-specific results to a solved load point: stresses, errors.
   virtual void complete(std::size_t, PointResult&) {}
-  /// What the next load point needs of the completed one beside its state, for checkpoints.
+  /// Data of the completed load point, besides its state, that the next one needs: for checkpoints.
   virtual std::string memory() const { return {}; }
   /// Continues from the memory stored by an earlier run; may be called before prepare().
   virtual void restore(const std::string& /*memory*/) {}
@@ -66,7 +66,7 @@ struct LevelResult {
   double normal_seconds = 0.0;
   double tangential_seconds = 0.0;
   double steepness = 0.0;  ///< gain of the friction law, the largest of all load points
-  /// Of the solution that took most, those of searches and outer iterations included.
+  /// Maxima over all solutions, including those of force searches and outer iterations.
   int newton_steps = 0, krylov_iterations = 0, iterations = 0;
   int several = 0;  ///< load points with more than one state (ContactProblem::count_states)
   /// Why load points are empty (result/quantities.hpp), by their number from 0.
@@ -84,12 +84,12 @@ struct RunOptions {
   ContactAccuracy force_accuracy;  ///< for a prescribed force
   double force_tolerance = 1e-6;   ///< on that force, relative to mu F_z
   const LevelResult* coarser = nullptr;
-  /// Steady load points do not start from each other: they may be solved in any order, and beside
-  /// each other (contact/solve/side_by_side.hpp).
+  /// Steady load points do not start from each other: they may be solved in any order, and in
+  /// parallel (contact/solve/side_by_side.hpp).
   bool independent = false;
-  /// How many beside each other, not on half-spaces, where it is as many as memory takes.
+  /// Most load points solved in parallel; on half-spaces memory is the limit instead.
   std::size_t most_beside = 1;
-  /// Goes on behind a load point without a stable state, unless it is the start of the next.
+  /// Skips load points without a stable state, unless the next one starts from them.
   bool leaves_unsolved = false;
   Response first_defect;  ///< from an earlier run without friction; empty: to be computed
 };
@@ -110,13 +110,13 @@ class ContactRun {
 
   // The same in two steps.
 
-  /// What independent load points have in common: the elasticity, on half-spaces also the pressure
-  /// of the first one.
+  /// Prepares what independent load points share: the elasticity, on half-spaces also the pressure
+  /// of the first load point.
   bool begin(const ContactGrid& grid, const MakeElasticity& make);
-  /// On half-spaces copies of a run that has begun may go on side by side.
-  bool copies_go_on() const { return elasticity_->is_halfspace(); }
+  /// On half-spaces, copies of a run that has begun solve load points in parallel.
+  bool copies_can_solve() const { return elasticity_->is_halfspace(); }
   /// Solves the load points that `next` hands out in order until there is none.
-  bool go_on(const std::function<std::optional<std::size_t>()>& next);
+  bool solve_each(const std::function<std::optional<std::size_t>()>& next);
 
   /// The frictionless solution alone, for on_first_defect.
   void solve_without_friction(const ContactGrid& grid, const MakeElasticity& make);

@@ -15,7 +15,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// What ends the level: an error, or (without one) a patch at the border.
+/// The load point that ends the level, by an error or (without one) by a patch at the border.
 struct End {
   std::size_t point;
   std::exception_ptr error;
@@ -100,7 +100,7 @@ std::optional<LevelResult> solve_points(const Scene& scene, const ChartedGeometr
   if (!begun.begin(grid, make)) return {};
   const std::size_t count = scene.points.size();
   const bool alone = !options.independent || scene.is_history() || scene.load_changes();
-  const std::size_t beside = begun.copies_go_on()
+  const std::size_t beside = begun.copies_can_solve()
                                  ? 1 + further_threads(grid)
                                  : std::min<std::size_t>(options.most_beside, threads());
   std::vector<Part> parts(alone ? 1 : std::clamp<std::size_t>(beside, 1, count));
@@ -113,7 +113,7 @@ std::optional<LevelResult> solve_points(const Scene& scene, const ChartedGeometr
       return k;
     };
     try {
-      if (!run.go_on(next)) points.ended_by({taken.back(), {}});
+      if (!run.solve_each(next)) points.ended_by({taken.back(), {}});
     } catch (...) {
       points.ended_by({taken.back(), std::current_exception()});
     }
@@ -126,7 +126,7 @@ std::optional<LevelResult> solve_points(const Scene& scene, const ChartedGeometr
       const std::optional<std::size_t> first = points.next();
       if (!first) return;
       ContactRun run = begun;
-      if (!begun.copies_go_on()) run.begin(grid, make);
+      if (!begun.copies_can_solve()) run.begin(grid, make);
       solve(run, *first, parts[p]);
     });
   }

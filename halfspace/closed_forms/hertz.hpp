@@ -51,7 +51,7 @@ struct LineHertz {
   double approach = 0.0;
 };
 
-/// Its distance to which normal displacements are relative, mm; for distant points, the width.
+/// Distance to which normal displacements are relative, mm; for distant points, the width.
 double reference_of(const contact::LineContact& line);
 
 /// `force_per_length` P in N/mm, R in mm, E* in MPa. Throws contact::InputError when one of them is

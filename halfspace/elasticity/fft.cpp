@@ -57,7 +57,7 @@ class KnownPlans {
   using Key = std::tuple<int, int, int>;
 
   static fftw_plan made(int n, int count, int sign) {
-    // Nothing is read or written here.
+    // FFTW_ESTIMATE plans without touching the arrays.
     PaddedFft::Spectrum from(static_cast<std::size_t>(n) * count), to(from.size());
     const std::lock_guard<std::mutex> planner(planner_mutex());
     return fftw_plan_many_dft(1, &n, count, reinterpret_cast<fftw_complex*>(from.data()), nullptr,
@@ -86,12 +86,12 @@ void execute(const Plan& plan, const Complex* from, Complex* to) {
 /// Rows are transformed together, two in one complex line.
 constexpr int rows_at_once = 8;
 
-/// Those rows before and after their transform.
+/// Rows before and after their transform.
 struct Lines {
   PaddedFft::Spectrum from, to;
 };
 
-/// Of this thread; nothing else runs on it before they are read.
+/// The working rows of this thread; no other transform runs on it before they are read.
 Lines& lines_of(int px) {
   thread_local Lines lines;
   const std::size_t size = static_cast<std::size_t>(rows_at_once / 2) * px;

@@ -147,7 +147,7 @@ double mean_diagonal(const ContactGrid& grid, const InfluenceQuadrant& quadrant,
 }  // namespace
 
 /// Symbols are created at first use: a search for the patch needs only the symbol of the pressure.
-/// Whoever asks for them holds the mutex; once created they stay.
+/// Callers hold the mutex; a symbol that exists does not change.
 struct HalfspaceCompliance::Implementation {
   ContactGrid grid;
   bool couples;
@@ -169,7 +169,7 @@ struct HalfspaceCompliance::Implementation {
         quadrant(g, material, std::max(fft.px(), circulant_size(g)[0]) / 2,
                  std::max(fft.py(), circulant_size(g)[1]) / 2) {}
 
-  /// That of a coefficient.
+  /// The symbol of an influence coefficient.
   const Symbol& symbol(Symbol Symbols::*kept, double Influence::*part) const {
     if ((symbols.*kept).empty()) symbols.*kept = symbol_of(quadrant, part, fft.px(), fft.py());
     return symbols.*kept;

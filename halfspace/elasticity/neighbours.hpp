@@ -27,10 +27,11 @@ struct CornerChange {
   Term nn, tn, xn, xx, tt, xt;
 };
 
-/// Of both bodies, weighted by their parts of 1/G; tn and xn of the wheel less those of the rail,
-/// as their tractions are opposite. `turn`: see NeighbourLoad; 0 for contacts in one plane. Fitted
-/// for nu = 0.3 and distances from the edge in ratios up to 2.5: within 0.04 (nn) of the wedge up
-/// to 60 degrees, 0.2 at 90; turns beyond 100 degrees count as 100.
+/// The change of both bodies together, weighted by their parts of 1/G; tn and xn of the rail are
+/// subtracted from those of the wheel, as their tractions are opposite. `turn`: see NeighbourLoad;
+/// 0 for contacts in one plane. Fitted for nu = 0.3 and distances from the edge in ratios up
+/// to 2.5: within 0.04 (nn) of the wedge up to 60 degrees, 0.2 at 90; turns beyond 100 degrees
+/// count as 100.
 CornerChange corner_change(double turn, const contact::CombinedMaterial& material);
 
 /// The tractions of a patch as point loads, one for each block of `along` by `across` elements with

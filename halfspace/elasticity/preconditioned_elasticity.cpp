@@ -33,8 +33,8 @@ contact::TangentialField PreconditionedElasticity::extra_slip() const {
 
 namespace {
 
-/// Of bodies and the layer between them in series; `area`: what the compliance of the layer is
-/// divided by (mm^2, in rolling mm^3).
+/// Stiffness of bodies and layer in series; `area` divides the compliance of the layer (mm^2, in
+/// rolling mm^3).
 Vector2d with_layer(const Vector2d& bodies, double area, const CombinedMaterial& material) {
   if (material.layer == 0.0) return bodies;
   return (bodies.array().inverse() + material.layer / area).inverse();
@@ -47,8 +47,8 @@ Vector2d line_rolling_stiffness(const PatchSize& patch, const CombinedMaterial& 
                     0.5 * patch.length * patch.length * patch.width, material);
 }
 
-/// Of Hertz's distribution of tractions, whose displacement in the middle is relative to the
-/// reference distance.
+/// Stiffness under Hertz's distribution of tractions; the displacement in the middle is relative to
+/// the reference distance.
 Vector2d line_shift_stiffness(const PatchSize& patch, double reference,
                               const CombinedMaterial& material) {
   const double antiplane = 0.5 * contact::pi * material.shear_modulus * patch.width /

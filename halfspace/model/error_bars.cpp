@@ -267,7 +267,7 @@ Roughness Bars::roughness() const {
 
 double Bars::rest_of_force(std::size_t i, const Roughness& rough, bool over_load) const {
   constexpr double of_others = 0.3, of_rows = 0.2, of_balance = 0.5, of_adhering = 0.1;
-  // As forces: moments over the arm.
+  // Moments are compared as forces, divided by their arm.
   const std::array<double, 3> arms{1.0, 1.0, length()};
   const contact::Creepage& creepage = fine_.creepage;
   const double load = over_load ? fine_.normal_force / coarse_.normal_force : 1.0;

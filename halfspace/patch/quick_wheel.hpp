@@ -67,7 +67,7 @@ class QuickWheel {
   bool find_patches(double force);
   bool adjust_boxes();
   bool take_reached();
-  /// Of the k-th patch in the fields of the joint problem: all grids are of one size.
+  /// Offset of the k-th patch in the fields of the joint problem: all grids have one size.
   Eigen::Index place_of(std::size_t k) const {
     return static_cast<Eigen::Index>(k) * loaded_.front()->grid().size();
   }

@@ -194,7 +194,7 @@ Box with_near_misses(const Box& patch, const Ridge& ridge, double approach, cons
                            : -overlap;
     widest = std::max(widest, gap);
     if (!(overlap > 0.0) || gap > widest - least_fall * approach) return;
-    // As long as Hertz's patch of this approach.
+    // Half the length of Hertz's patch at this approach.
     const double half = std::sqrt(0.5 * overlap / std::max(point.curvature, 1e-12));
     box = {std::min(box.x_lower, point.x - half), std::max(box.x_upper, point.x + half),
            std::min(box.y_lower, y), std::max(box.y_upper, y)};

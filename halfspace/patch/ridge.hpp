@@ -56,7 +56,7 @@ class Ridge {
   std::vector<double> y_;
   std::vector<RidgePoint> points_;
   std::vector<double> angle_;
-  /// Of bodies that change along the way, where the ridge is low: distances over x (x_along).
+  /// Distances over x (x_along) where the ridge is low, for bodies that change along the way.
   std::vector<std::vector<double>> along_;
   void look_along(const contact::PatchGeometry& patch);
 };

@@ -82,7 +82,7 @@ class LayerConvolution {
 /// corner functions are used throughout: the stress is then exact to about 1e-15 of the traction.
 constexpr double corner_range = 300.0;
 
-/// Of a component of assemble_state.
+/// Unit of a component of assemble_state.
 double unit_of(std::size_t component, double shear_modulus) {
   return component < s_xx ? 1.0 / (4.0 * pi * shear_modulus) : 1.0 / (2.0 * pi);
 }

@@ -225,7 +225,7 @@ template <class Error = contact::SolveError>
       result.place->label(), result.name, what);
 }
 
-/// From the first to the last element with pressure, y of the grid in mm.
+/// Range of the elements with pressure, y of the grid in mm.
 std::array<double, 2> loaded_rows(const ModelResult& result, const PointResult& point) {
   std::array<double, 2> rows{contact::infinity, -contact::infinity};
   const contact::ContactGrid& grid = result.grid;

@@ -16,11 +16,11 @@ using contact::Scene;
 
 namespace {
 
-/// mm; see shares_with_bending.
+/// Length in the compliance of the flange, mm (shares_with_bending).
 constexpr double length_of_bending = 18.4;
 /// Less bending than this, mm, is not worth another solution.
 constexpr double least_bending = 1e-3;
-/// Of the load; smaller changes are not noted.
+/// Smallest change of a share that is noted, relative to the load.
 constexpr double worth_noting = 5e-3;
 
 std::vector<double> normal_forces(const std::vector<Scene>& scenes, double load) {

@@ -104,7 +104,7 @@ class Position {
                     *input_.load.vertical_force, most_rounds));
   }
 
-  /// Of all wheels; their largest change.
+  /// Shares the loads of all wheels; returns the largest relative change.
   double share_all(bool friction) {
     std::vector<double> changes(wheels_.size(), 0.0);
     contact::for_each_index(wheels_.size(), [&](std::size_t w) {

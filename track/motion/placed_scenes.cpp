@@ -153,7 +153,7 @@ SearchScene search_scene_of(const Case& input) {
   ProfilePair pair;
   pair.wheel_sections = profiles::make_sections(input.wheel.profile, true, input.file);
   pair.rail_sections = profiles::make_sections(input.rail.profile, false, input.file);
-  // Of a body that changes along its way the section at the first position.
+  // A body that changes along its way has the section of the first position.
   const auto profile = [&](const auto& sections, const std::vector<double>& places, bool wheel) {
     return sections && !places.empty() ? sections->section(places.front())
                                        : profiles::profile_of_case(input, wheel);

@@ -23,7 +23,7 @@ std::vector<RigidWheelset> rigid_touches(const contact::Case& input, const Searc
 /// Distance of the running circles, mm: 1500 on a gauge of 1435.
 double contact_distance(const contact::Track& track);
 
-/// From the middle to `reach` mm by `step` mm; the other side is the mirror image.
+/// Rows from the middle to `reach` mm, every `step` mm; the other side is the mirror image.
 std::vector<RigidWheelset> wheelset_rows(const contact::Case& input, const SearchScene& search,
                                          double reach, double step);
 

@@ -23,7 +23,7 @@ Vector3 sum(const Vector3& a, const Vector3& b, double factor = 1.0) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
 
-/// Of the wheelset without its rotation about the axle, track frame.
+/// Angular velocity of the wheelset without its rotation about the axle, track frame.
 Vector3 carried(const WheelRailContact& contact, const Motion& motion) {
   return sum({0.0, 0.0, motion.yaw_velocity}, ahead_of(contact.axle.direction),
              motion.roll_velocity);
@@ -36,7 +36,7 @@ Vector3 angular_velocity(const WheelRailContact& contact, const Motion& motion) 
   return sum(turning, contact.own_turning);
 }
 
-/// Of the wheel over its rail.
+/// Velocity of the wheel's material over its rail at a place of the track frame.
 Vector3 velocity(const WheelRailContact& contact, const Motion& motion, const Vector3& place) {
   const auto about = [&](const Vector3& turning, const Vector3& centre) {
     return cross(turning, sum(place, centre, -1.0));

@@ -83,7 +83,7 @@ class RadiusDifference {
   double largest_shift() const { return shift_.back(); }  ///< mm
   /// mm, at one of the given shifts or between them.
   double at(double shift) const;
-  /// Its integral from the first shift, mm^2; even where the difference is odd.
+  /// Integral of the difference from the first shift, mm^2; even where the difference is odd.
   double integral(double shift) const;
 
   /// By harmonic linearisation: half the slope of the straight line whose work over a sine of this

@@ -20,7 +20,7 @@ namespace rollfem::track {
 /// Force (N) and moment about the middle of the axle (N mm), track frame.
 using Wrench = Eigen::Matrix<double, 6, 1>;
 
-/// What WheelState::load is.
+/// Meaning of WheelState::load.
 enum class GivenLoad {
   vertical_force,  ///< N, upwards on the wheel, friction included
   height,          ///< mm, z of the middle of the axle plus the rolling radius
@@ -39,7 +39,7 @@ struct WheelState {
   GivenLoad given = GivenLoad::vertical_force;
   double load = 0.0;
 };
-/// Its variables, the columns of derivatives.
+/// Variables of a state: the columns of derivatives.
 struct StateVariable {
   enum {
     lateral_shift,

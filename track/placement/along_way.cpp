@@ -24,7 +24,7 @@ constexpr double sample_step = 0.5;
 constexpr int rows_to_side = 30;
 constexpr double farthest_row = 0.25;
 
-/// What of a section is a height over y.
+/// The part of a section that is a height over y.
 struct OverY {
   struct Knot : contact::HeightKnot {
     double parameter;  ///< of the section
@@ -61,7 +61,7 @@ bool is_height(const profiles::ProfilePoint& point) {
   return point.tangent_y * profiles::steepest > std::abs(point.tangent_z);
 }
 
-/// What of a rail is seen from above, where heads stand beside each other.
+/// The parts of a rail seen from above, where heads stand beside each other.
 OverY parts_seen(const ProfileCurve& rail) {
   OverY seen;
   for (const double at : profiles::dense_parameters(rail, sample_step, 1e-3)) {

@@ -33,7 +33,7 @@ struct SlopedHeight {
   double z = -contact::infinity, along = 0.0, across = 0.0;
 };
 
-/// What of a section is seen from above (small z), as a height over y.
+/// The part of a section seen from above (small z), as a height over y.
 contact::HeightCurve seen_from_above(const profiles::ProfileCurve& section);
 
 /// Wheel and rail at one position. Surfaces are in the side frame with the rail's origin at the
@@ -46,7 +46,7 @@ class BodiesAlongWay {
     std::shared_ptr<const profiles::SectionSurface> wheel;  ///< profile coordinates
     double rail_way = 0.0;     ///< mm, position of the rail's section under the wheel's centre
     double wheel_angle = 0.0;  ///< rad, of the wheel's section that points down
-    /// Of a roller, whose sections follow each other along its circle of this radius, mm: its axle.
+    /// Radius (mm) and axle of a roller, whose sections follow each other along its circle.
     double rail_rolling_radius = contact::infinity;
     contact::Axle rail_axle{};
   };

@@ -22,7 +22,7 @@ namespace rollfem::track {
 struct ProfilePair {
   profiles::ProfileCurve wheel;
   profiles::ProfileCurve rail;
-  /// Of a body that changes along its way: the profile is then one of its sections.
+  /// Sections of a body that changes along its way; its profile is then one of them.
   std::shared_ptr<const profiles::SectionSurface> wheel_sections = nullptr, rail_sections = nullptr;
 };
 

@@ -158,8 +158,8 @@ OutlinePoint on_locus(const std::vector<LocusPoint>& locus, const contact::Heigh
 
 constexpr double y_tolerance = 1e-12;  // mm
 
-/// What dz/dy at a fixed x changes by along the locus, where x changes with y: dz/dx dx/dy of each
-/// point.
+/// Difference between dz/dy along the locus, where x changes with y, and dz/dy at a fixed x:
+/// dz/dx dx/dy of each point.
 std::vector<double> climb_over_y(const std::vector<LocusPoint>& locus) {
   std::vector<double> climb;
   for (std::size_t k = 0; k < locus.size(); ++k) {
@@ -198,7 +198,7 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
                        double roller_axle_z)
     : axle_(axle), roller_axle_z_(roller_axle_z) {
   const AxleFrame frame = axle_frame(axle);
-  // From the tread both ways, as far as the outline remains a height over y.
+  // Walks from the tread both ways, as far as the outline remains a height over y.
   const auto start = static_cast<std::ptrdiff_t>(wheel.start);
   std::vector<Seen> inner, outer;
   inner.reserve(wheel.start);

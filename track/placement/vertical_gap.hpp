@@ -49,7 +49,7 @@ class Silhouette {
   /// Throws std::invalid_argument when no part of the profile is visible.
   Silhouette(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
              double roller_axle_z);
-  /// Of bodies that change along the way: the wheel over its locus.
+  /// The wheel over its locus, for bodies that change along the way.
   Silhouette(const std::vector<LocusPoint>& locus, const contact::Axle& axle);
 
   /// z over y; covers the part not steeper than a height curve allows.
@@ -72,7 +72,7 @@ struct GapMinimum {
   double gap = contact::infinity;  ///< mm, vertical
   double slope = 0.0;  ///< dz/dy of both tangents, < 0 where they fall towards the middle
   double along = 0.0;  ///< dz/dx of both: on a roller, or where the rail changes along the track
-  /// Of the normal against the vertical.
+  /// Cosine of the angle between normal and vertical.
   double cosine() const { return 1.0 / std::sqrt(1.0 + slope * slope + along * along); }
   /// Contact angle, rad: positive where the surfaces fall towards the middle of the track.
   double angle() const;
@@ -88,7 +88,7 @@ class VerticalGap {
   VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
               const contact::HeightCurve& rail, double roller_axle_z = contact::infinity);
 
-  /// Of bodies that change along the way, over their locus.
+  /// The gap over the locus of bodies that change along the way.
   explicit VerticalGap(std::shared_ptr<const BodiesAlongWay> bodies);
   /// These bodies; none of bodies that do not change.
   const std::shared_ptr<const BodiesAlongWay>& bodies() const { return bodies_; }

@@ -394,7 +394,8 @@ class WheelSearch {
     contact.across = contact::cross(contact.normal, contact.along);
   }
 
-  /// What does not depend on the motion of the wheelset (track/motion/wheelset_motion.hpp).
+  /// Sets the axle, and the velocities that come from the displacements of wheel and rail; the
+  /// motion of the wheelset adds to them (track/motion/wheelset_motion.hpp).
   void fill_motion(WheelRailContact& contact) const {
     const std::size_t side = left_ ? 0 : 1;
     const contact::Displacement &wheel = input_.wheel_displacement,
