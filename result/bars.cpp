@@ -15,15 +15,6 @@ namespace {
 /// Relative difference of equal forces; balances are more accurate.
 constexpr double same_force = 1e-6;
 
-bool has_bar(const PointResult& point, const std::string& name) {
-  return point.error_estimate.count(name) != 0;
-}
-
-double bar_or_zero(const PointResult& point, const std::string& name) {
-  const auto found = point.error_estimate.find(name);
-  return found == point.error_estimate.end() ? 0.0 : found->second;
-}
-
 /// The load point of a result; a model with one result for all load points uses the largest load.
 NormalLoad load_behind(const Scene& scene, const ModelResult& result, std::size_t k) {
   return result.points.size() == scene.points.size() ? scene.points[k].load : largest_load(scene);
@@ -98,12 +89,12 @@ NoBar reason_of(const Scene& scene, const BarRules& rules, const ModelResult& re
 
 void explain_stresses(const BarRules& rules, PointResult& point) {
   const auto explain = [&](const std::string& name) {
-    if (!has_bar(point, name)) point.no_bar.emplace(name, rules.otherwise);
+    if (!point.has_bar(name)) point.no_bar.emplace(name, rules.otherwise);
   };
   for (const StressMaximum& maximum : point.stress_maxima) {
     const std::string name = maximum.bar_name();
     // It is the largest traction.
-    if (maximum.measure == surface_shear && has_bar(point, "max_traction"))
+    if (maximum.measure == surface_shear && point.has_bar("max_traction"))
       point.error_estimate.emplace(name, point.error_estimate.at("max_traction"));
     else if (maximum.measure == surface_shear && point.no_bar.count("max_traction") != 0)
       point.no_bar.emplace(name, point.no_bar.at("max_traction"));
@@ -116,12 +107,12 @@ void explain_stresses(const BarRules& rules, PointResult& point) {
 /// work of the creepages from forces and creepages. Existing bars are kept.
 void derive_bars(PointResult& point) {
   const auto twice = [&](const char* extent, const char* half) {
-    if (has_bar(point, half))
+    if (point.has_bar(half))
       point.error_estimate.emplace(extent, 2.0 * point.error_estimate.at(half));
   };
   twice("contact_length", "semi_axis_x");
   twice("contact_width", "semi_axis_y");
-  if (has_bar(point, "frictional_work") && point.revolution_work) {
+  if (point.has_bar("frictional_work") && point.revolution_work) {
     const double work = *point.frictional_work, bar = point.error_estimate.at("frictional_work");
     if (work > 0.0)
       point.error_estimate.emplace("revolution_work", bar * *point.revolution_work / work);
@@ -130,8 +121,8 @@ void derive_bars(PointResult& point) {
     else
       point.no_bar.emplace("revolution_work", NoBar::one_grid);
   }
-  if (!point.creepage_work || !has_bar(point, "longitudinal_force") ||
-      !has_bar(point, "lateral_force") || !has_bar(point, "spin_moment"))
+  if (!point.creepage_work || !point.has_bar("longitudinal_force") ||
+      !point.has_bar("lateral_force") || !point.has_bar("spin_moment"))
     return;
   const Creepage& c = point.creepage;
   const double of_forces =
@@ -139,8 +130,8 @@ void derive_bars(PointResult& point) {
       std::abs(c.lateral) * point.error_estimate.at("lateral_force") +
       std::abs(c.spin) * point.error_estimate.at("spin_moment");
   const double of_creepages =
-      std::abs(point.longitudinal_force) * bar_or_zero(point, "longitudinal_creepage") +
-      std::abs(point.lateral_force) * bar_or_zero(point, "lateral_creepage");
+      std::abs(point.longitudinal_force) * point.bar_of("longitudinal_creepage").value_or(0.0) +
+      std::abs(point.lateral_force) * point.bar_of("lateral_creepage").value_or(0.0);
   point.error_estimate.emplace("creepage_work", of_forces + of_creepages);
 }
 
@@ -155,7 +146,7 @@ void explain_bars(const Scene& scene, const BarRules& rules, ModelResult& result
       if (!quantity.value(point)) continue;
       if (is_given(scene, result, k, quantity.name) || is_relative(scene, quantity.name))
         point.error_estimate.erase(quantity.name);
-      if (!has_bar(point, quantity.name))
+      if (!point.has_bar(quantity.name))
         point.no_bar.emplace(quantity.name, reason_of(scene, rules, result, k, quantity));
     }
     explain_stresses(rules, point);
@@ -163,8 +154,7 @@ void explain_bars(const Scene& scene, const BarRules& rules, ModelResult& result
 }
 
 std::string bar_text(const PointResult& point, const std::string& quantity, double scale) {
-  const auto bar = point.error_estimate.find(quantity);
-  if (bar != point.error_estimate.end()) return fmt::format("+- {:.2g}", bar->second / scale);
+  if (const auto bar = point.bar_of(quantity)) return fmt::format("+- {:.2g}", *bar / scale);
   const auto word = point.no_bar.find(quantity);
   return word == point.no_bar.end() ? "" : word_of(word->second);
 }

@@ -245,7 +245,7 @@ bool found_for_force(const PointResult& point, const std::string& name) {
   if (word != point.no_bar.end())
     return word->second != NoBar::given && word->second != NoBar::balance;
   // Of a wheelset that rolls freely the spin has a bar, too.
-  return point.error_estimate.count(name) != 0 && point.error_estimate.count("spin") == 0;
+  return point.has_bar(name) && !point.has_bar("spin");
 }
 
 }  // namespace rollfem::contact

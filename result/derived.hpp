@@ -41,9 +41,9 @@ void set_pass_work(const ContactGrid& grid, const Field& rows, PointResult& poin
 
 /// Sets `frictional_work`, its distribution and `creepage_work` of a solution on elements in steady
 /// rolling. `rigid_slip` is the slip without the slope of the displacement, `extra_slip` that
-/// beyond the creepages. The slope is that of central differences: by the solver's upwind ones
-/// tractions lose what a slip zone releases that no element resolves. What the elements of a row
-/// lack depends on where its edges lie in an element: neighbours even it out. `half_spaces`:
+/// beyond the creepages. Slopes are central differences: the solver's upwind differences lose the
+/// work of slip zones thinner than an element. How much a row misses depends on where the edges of
+/// the patch lie within an element, so neighbouring rows are evened out. `half_spaces`:
 /// `creepage_work` has the part of the pressure too, with which it equals `frictional_work`; the
 /// pressure of other bodies also moves by their shape.
 void set_works(const ContactGrid& grid, const PatchShape& shape, const TangentialField& rigid_slip,

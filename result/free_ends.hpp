@@ -22,9 +22,9 @@ LoadedEnds loaded_ends(const Scene& scene, const ContactGrid& grid, const PointR
 /// Pressure, tractions and work of a pass of a point with loaded ends have no limit on finer grids.
 void explain_singular_values(const Scene& scene, const ContactGrid& grid, PointResult& point);
 
-/// Takes back what the size found below the element size, of a smooth outline, has beyond ends. An
-/// end up to `beyond` outside of the patch (mm) is its border too: half an element, of which the
-/// last one with its middle on the body reaches less or farther than the body.
+/// Cuts the subelement patch size at the ends of the bodies. An end up to `beyond` mm outside the
+/// patch is its border too: an element belongs to the body if its middle does, so the last one may
+/// end half an element before or behind the body.
 void cut_at_ends(const Scene& scene, PatchSize& size, double beyond = 0.0);
 
 /// The middle of a patch of profiles, and its width between ends.

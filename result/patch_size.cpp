@@ -19,6 +19,11 @@ namespace {
 /// Pressures along one line of elements, positions in elements.
 using Line = std::vector<double>;
 
+/// Memory that is used again.
+struct PatchLines {
+  Line line, squares, backwards, last, minus_first, last_roots, first_roots;
+};
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Distance of an edge beyond the centre of the last element, and its error, in elements.
@@ -227,11 +232,7 @@ Extent extent_of(int count, int length, double slenderness, PatchLines& lists, V
 }  // namespace
 
 PatchSize patch_size(const ContactGrid& grid, const Field& pressure) {
-  PatchLines lists;
-  return patch_size(grid, pressure, lists);
-}
-
-PatchSize patch_size(const ContactGrid& grid, const Field& pressure, PatchLines& lists) {
+  thread_local PatchLines lists;
   for (Line* list : {&lists.line, &lists.squares, &lists.backwards, &lists.last, &lists.minus_first,
                      &lists.last_roots, &lists.first_roots})
     list->reserve(static_cast<std::size_t>(std::max(grid.nx, grid.ny)));

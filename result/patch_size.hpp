@@ -26,14 +26,9 @@ struct PatchSize {
 /// The edge along every row and column of elements follows from p^2 of the last three elements,
 /// corrected for the known behaviour of a solved contact's elements at an edge; p^2 of a pressure
 /// sampled at element centres is extrapolated unchanged. With too few elements, or if the pressure
-/// does not fall to an edge (a punch), the element's border is the edge.
+/// does not fall to an edge (a punch), the element's border is the edge. Repeated calls of a thread
+/// allocate nothing.
 PatchSize patch_size(const ContactGrid& grid, const Field& pressure);
-
-/// Memory for repeated calls, which then allocate nothing.
-struct PatchLines {
-  std::vector<double> line, squares, backwards, last, minus_first, last_roots, first_roots;
-};
-PatchSize patch_size(const ContactGrid& grid, const Field& pressure, PatchLines& lists);
 
 /// A row of fewer elements than this has its edges at element borders: each end of the patch is
 /// then known only to within one element.

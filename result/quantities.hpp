@@ -121,8 +121,8 @@ void leave_empty(PointResult& point);
 
 bool is_solved(const PointResult& point);
 
-/// The load points of a run that have a solution, and why the others have none. Whoever needs all
-/// takes it for any other failure.
+/// The load points of a run that have a solution, and why the others have none. Callers that need
+/// all of them treat it as any other failure.
 class PartlySolved : public SolveError {
  public:
   PartlySolved(const std::string& why, ModelResult solved)

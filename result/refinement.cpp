@@ -22,8 +22,7 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 
 /// The error bar; 0 for quantities that need none.
 double bar_of(const PointResult& point, const std::string& name) {
-  const auto bar = point.error_estimate.find(name);
-  if (bar != point.error_estimate.end()) return bar->second;
+  if (const auto bar = point.bar_of(name)) return *bar;
   const auto word = point.no_bar.find(name);
   if (word == point.no_bar.end()) return unknown;
   for (const NoBar sound : {NoBar::exact, NoBar::given, NoBar::counted, NoBar::measured})

@@ -69,6 +69,11 @@ std::vector<double> SubsurfaceField::von_mises() const {
   return values;
 }
 
+std::optional<double> PointResult::bar_of(const std::string& quantity) const {
+  const auto bar = error_estimate.find(quantity);
+  return bar == error_estimate.end() ? std::nullopt : std::optional<double>(bar->second);
+}
+
 std::string ModelResult::key() const {
   return place ? name + '_' + place->key() : name;
 }

@@ -122,6 +122,9 @@ struct PointResult {
   /// unit (docs/results.md).
   std::map<std::string, double> error_estimate;
   std::map<std::string, NoBar> no_bar;  ///< quantity -> why it has no bar
+  /// The error bar of a quantity; none without one.
+  std::optional<double> bar_of(const std::string& quantity) const;
+  bool has_bar(const std::string& quantity) const { return error_estimate.count(quantity) != 0; }
   /// Model error: quantity -> absolute error of the model itself, independent of the grid.
   std::map<std::string, double> model_error;
   std::map<std::string, double> richardson;  ///< quantity -> value extrapolated to cells of 0

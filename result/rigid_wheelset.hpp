@@ -17,7 +17,8 @@ struct RigidWheelset {
   /// wheelset does not recentre.
   std::optional<double> conicity_harmonic = {}, conicity_wave = {}, wave_length = {};
   double y_track_left = 0.0, y_track_right = 0.0;  ///< mm, from the middle of the track outward
-  /// Of the radii over the speeds (V = 1) of the surfaces on which they roll, which steers, mm.
+  /// Difference of rolling radius over speed of the supporting surface (V = 1), mm: steers the
+  /// wheelset, also on rollers.
   double rolling_difference = 0.0;
 
   double radius_difference() const { return radius_right - radius_left; }  ///< mm

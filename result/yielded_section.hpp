@@ -47,7 +47,7 @@ struct YieldedSection {
     using S = YieldedSection;
     return std::tuple(
         member("body", &S::body, "", "wheel or rail"),
-        member("verdict", &S::verdict, "", "how it takes the passes"),
+        member("verdict", &S::verdict, "", "response to the passes"),
         member("from_pass", &S::from_pass, "-", "the verdict has held since this pass"),
         member("iterations", &S::iterations, "-", "of the pass"),
         member("cycle", &S::cycle, "-",

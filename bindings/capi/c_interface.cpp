@@ -265,39 +265,24 @@ void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
   const double mm = units == ROLLFEM_M_N ? 1e-3 : 1.0;
   const double mpa = units == ROLLFEM_M_N ? 1e6 : units == ROLLFEM_MM_KN ? 1e-3 : 1.0;
   Given<rollfem_definition> place(definition);
-  if (place.fits())
-    place.give({0,
-                units,
-                ROLLFEM_LEFT,
-                "S1002",
-                "60E1",
-                460.0 * mm,
-                1435.0 * mm,
-                14.0 * mm,
-                1.0 / 40.0,
-                1360.0 * mm,
-                -70.0 * mm,
-                210e3 * mpa,
-                0.3,
-                210e3 * mpa,
-                0.3,
-                0.3,
-                12,
-                // friction is constant, and there is no layer
-                0.0,
-                0.0,
-                0.0,
-                0.0,
-                0.0,
-                0.0,
-                0.0,
-                0.0,
-                ROLLFEM_CONSTANT,
-                0.0,
-                0.0,
-                {0.0, 0.0, 0.0, 0.0},
-                1,
-                0.0});
+  if (!place.fits()) return;
+  rollfem_definition given{};  // friction is constant, and there is no layer
+  given.units = units;
+  given.side = ROLLFEM_LEFT;
+  given.wheel_profile = "S1002";
+  given.rail_profile = "60E1";
+  given.rolling_radius = 460.0 * mm;
+  given.gauge = 1435.0 * mm;
+  given.gauge_height = 14.0 * mm;
+  given.inclination = 1.0 / 40.0;
+  given.flange_back_distance = 1360.0 * mm;
+  given.flange_back_position = -70.0 * mm;
+  given.wheel_young_modulus = given.rail_young_modulus = 210e3 * mpa;
+  given.wheel_poisson_ratio = given.rail_poisson_ratio = 0.3;
+  given.friction_coefficient = 0.3;
+  given.elements_across = 12;
+  given.threads = 1;
+  place.give(given);
 }
 
 rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message, size_t size) {

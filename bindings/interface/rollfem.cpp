@@ -3,7 +3,7 @@
 
 #include "base/errors.hpp"
 #include "case/reading/case_reader.hpp"
-#include "models/frame/ready.hpp"
+#include "models/frame/in_process.hpp"
 #include "models/program/provenance.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
@@ -49,9 +49,9 @@ Result solve(const Case& input, const std::vector<std::string>& models, const Pr
   modelling::check_alone(known, names, "models");
   modelling::check_built(known, names, "models");
   result.provenance = modelling::provenance_of(known, "rollfem::solve");
-  modelling::Ready ready = modelling::ready_for(known, names, progress);
-  ready.how.go_on = missing != nullptr;
-  const std::vector<Missing> unsolved = modelling::solve(result, ready.how);
+  modelling::InProcess here = modelling::in_process(known, names, progress);
+  here.how.go_on = missing != nullptr;
+  const std::vector<Missing> unsolved = modelling::solve(result, here.how);
   if (missing != nullptr) missing->insert(missing->end(), unsolved.begin(), unsolved.end());
   return result;
 }

@@ -7,9 +7,9 @@
 #include "bindings/python/caller.hpp"
 #include "models/caches/correction_cache.hpp"
 #include "models/frame/command_frame.hpp"
+#include "models/frame/in_process.hpp"
 #include "models/frame/interruption.hpp"
 #include "models/frame/parts.hpp"
-#include "models/frame/ready.hpp"
 #include "models/program/provenance.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "result/files/files_together.hpp"
@@ -159,8 +159,8 @@ class Computation {
   auto working(const Work& work) -> decltype(work(std::declval<const Solving&>())) {
     return without_gil(frame_ ? py::none() : callback_, [&](const Progress& progress) {
       if (!frame_) {
-        const modelling::Ready ready = modelling::ready_for(known_models(), models_, progress);
-        return work(ready.how);
+        const modelling::InProcess here = modelling::in_process(known_models(), models_, progress);
+        return work(here.how);
       }
       Solving how = how_;
       if (how.models == nullptr) how.progress = frame_->progress();

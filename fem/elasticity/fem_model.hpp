@@ -32,9 +32,8 @@ struct About {
 
 /// Functions that rollfem takes from the opened library.
 struct Entry {
-  void (*start)();   ///< MPI_Init, once, before any model
-  void (*stop)();    ///< MPI_Finalize
-  int (*process)();  ///< rank
+  void (*start)();  ///< MPI_Init, once, before any model
+  void (*stop)();   ///< MPI_Finalize
   /// Collective: the text of process 0 on every process.
   std::string (*from_first)(const std::string& text);
   contact::ModelResult (*run)(const contact::Scene&, const contact::Progress&,

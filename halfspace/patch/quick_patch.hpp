@@ -94,7 +94,7 @@ class QuickPatch {
   double turn() const { return turn_of(*geometry_, grid_, problem_.pressure); }
   /// Measures the patch under the present pressure.
   const contact::PatchSize& measure() {
-    return size_ = contact::patch_size(grid_, problem_.pressure, lines_);
+    return size_ = contact::patch_size(grid_, problem_.pressure);
   }
 
   /// Solves for the tractions under the present pressure, starting from the present tractions or,
@@ -142,7 +142,6 @@ class QuickPatch {
   /// components along the load of unit pressure and unit lateral traction.
   Eigen::ArrayXd place_, climb_, cosine_, carried_, of_lateral_;
   contact::PatchSize size_;
-  contact::PatchLines lines_;
   contact::GridRuns runs_;
   contact::Field own_distance_, moved_, distance_, weights_;
   contact::TangentialField own_slip_, traction_, change_;

@@ -46,10 +46,6 @@ void stop() {
   session.reset();
 }
 
-int process() {
-  return static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-}
-
 std::string from_first(const std::string& text) {
   return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text);
 }
@@ -83,7 +79,6 @@ rollfem::fem::About about() {
 
 const rollfem::fem::Entry entry{start,
                                 stop,
-                                process,
                                 from_first,
                                 OnThreads<&rollfem::fem::run_fem>::call,
                                 OnThreads<&rollfem::fem::mesh_case>::call,

@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 
 namespace rollfem::modelling {
 
-using hybrid::SmoothBox;
 using hybrid::SmoothDepthMap;
 using hybrid::SmoothParts;
 
@@ -66,18 +65,12 @@ fs::path file_of(const fs::path& folder, const std::string& key) {
   return folder / fmt::format("{:016x}{}", contact::checksum(key), suffix);
 }
 
-void exchange(contact::Record& record, SmoothBox& box) {
-  record.values(box.half_length, box.half_width, box.middle);
-}
-
 /// Common part of the maps on and below the surface.
 template <class Map>
 void exchange(contact::Record& record, Map& map) {
-  exchange(record, map.loads);
-  exchange(record, map.fields);
   Eigen::Index rows = map.coefficients.rows(), columns = map.coefficients.cols();
   contact::Field entries = map.coefficients.reshaped();
-  record.values(map.load_degree, map.field_degree, rows, columns, entries);
+  record.values(map.loads, map.fields, map.load_degree, map.field_degree, rows, columns, entries);
   if (entries.size() != rows * columns) throw contact::FileError("a map of another shape");
   map.coefficients = entries.reshaped(rows, columns);
 }

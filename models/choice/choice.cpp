@@ -4,15 +4,14 @@
 #include "base/errors.hpp"
 #include "base/threads.hpp"
 #include "result/quantities.hpp"
+#include "result/record.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <exception>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace rollfem::modelling {
@@ -201,20 +200,12 @@ class Choice {
   /// Only the first of several processes holds complete results.
   void agree(Reached& reached, double& seconds) const {
     if (!wanted_.agree) return;
-    const std::string text = wanted_.agree(
-        fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {} {}", seconds,
-                    reached.discretisation, reached.model, reached.most_discretisation,
-                    reached.most_model, reached.point, reached.quantity));
-    std::istringstream words(text);
-    for (double* number : {&seconds, &reached.discretisation, &reached.model,
-                           &reached.most_discretisation, &reached.most_model}) {
-      std::string word;  // includes infinity
-      words >> word;
-      *number = std::strtod(word.c_str(), nullptr);
-    }
-    words >> reached.point;
-    reached.quantity.clear();
-    words >> reached.quantity;
+    const auto exchange = [&](contact::Record record) {
+      record.values(seconds, reached.discretisation, reached.model, reached.most_discretisation,
+                    reached.most_model, reached.point, reached.quantity);
+      return record.bytes();
+    };
+    exchange(contact::Record(wanted_.agree(exchange({}))));
   }
 
   const Attempt& worst(std::size_t m) const { return *attempts_[*worst_contact(forecasts_, m)][m]; }

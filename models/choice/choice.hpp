@@ -40,7 +40,7 @@ struct Wanted {
   bool go_on = true;
   /// Receives the expected time of a model that uses all threads before it begins. May be empty.
   contact::Progress progress = {};
-  /// Collective: returns the text of the first process on every process. May be empty.
+  /// Collective: returns the bytes of the first process on every process. May be empty.
   std::function<std::string(const std::string&)> agree = {};
 };
 

@@ -20,7 +20,7 @@ constexpr double near_enough = 1.25;
 
 /// Expected model errors are known to a factor of two or three. Until one is found, it takes at
 /// most half the accuracy; where it is expected to be far beyond, the grid need not be fine.
-Contacts hopes(Contacts contacts, double accuracy) {
+Contacts optimistic(Contacts contacts, double accuracy) {
   constexpr double worth_of_grid = 0.25;
   for (std::vector<Forecast>& models : contacts)
     for (Forecast& forecast : models)
@@ -106,7 +106,7 @@ std::optional<std::size_t> answer(const Contacts& contacts) {
 }
 
 std::optional<Plan> next_plan(const Contacts& contacts, double accuracy, double seconds) {
-  const Contacts hoped = hopes(contacts, accuracy);
+  const Contacts hoped = optimistic(contacts, accuracy);
   std::size_t first = 0;
   while (first < models_of(hoped) && !plan_of(hoped, first, accuracy)) ++first;
   if (first == models_of(hoped)) return {};

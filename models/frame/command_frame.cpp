@@ -54,10 +54,9 @@ void print_warning(const std::string& warning) {
 
 CommandFrame::CommandFrame(const Computing& request, std::vector<std::string> models)
     : request_(request),
-      known_(request.known),
       models_(std::move(models)),
       first_(!request.own.whole() || processes().first()),
-      parallel_(request.own.whole() && any_parallel(known_, models_)),
+      parallel_(request.own.whole() && any_parallel(request.known, models_)),
       processes_(request.own.whole() ? processes().count : 1),
       display_(request.quiet || !first_ ? ProgressDisplay::Mode::silent
                                         : ProgressDisplay::mode_of_stderr()),
@@ -78,7 +77,7 @@ void CommandFrame::say(const std::string& line) {
 }
 
 result::Provenance CommandFrame::provenance() const {
-  result::Provenance made = provenance_of(known_, request_.command);
+  result::Provenance made = provenance_of(request_.known, request_.command);
   made.processes = parallel_ ? processes_ : 1;
   return made;
 }
@@ -174,16 +173,16 @@ void CommandFrame::print_kept(const std::string& kept) const {
 
 void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
                            const std::function<void(const Solving&)>& body) {
-  check_built(known_, models_, asked_by);
+  check_built(request_.known, models_, asked_by);
   set_interrupt_message();
   Solving how;
   const auto start = [&] { how.session = &parallel_session(asked_by); };
   // A choice may end without finite elements, whose library takes longer to load than half-spaces
   // take to solve. With several processes the library is needed for their agreement.
-  if (parallel_ && (processes_ > 1 || !any_choice(known_, models_))) start();
+  if (parallel_ && (processes_ > 1 || !any_choice(request_.known, models_))) start();
   try {
     how.need_session = start;
-    how.models = &known_;
+    how.models = &request_.known;
     how.progress = progress_;
     how.first = first_;
     how.together = processes_ == 1;

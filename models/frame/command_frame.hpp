@@ -73,7 +73,6 @@ class CommandFrame {
   void set_interrupt_message() const;
 
   const Computing& request_;
-  const contact::ModelRegistry& known_;
   std::vector<std::string> models_;
   bool first_ = true;
   bool parallel_ = false;

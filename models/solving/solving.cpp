@@ -106,18 +106,13 @@ std::string normals_note(const contact::Scene& scene, const contact::ModelResult
 /// Adds forces and height in the track frame with the bars that follow from those in the frame of
 /// the patch. A given or exact value has no bar, nor has a share found by the wheelset's balance.
 void add_on_track(const contact::ContactPlace& place, contact::PointResult& point) {
-  const auto bar = [&](const char* name) {
-    const auto found = point.error_estimate.find(name);
-    return found == point.error_estimate.end() ? 0.0 : found->second;
-  };
+  const auto bar = [&](const char* name) { return point.bar_of(name).value_or(0.0); };
   const auto add_force = [&](const char* name, std::optional<double> contact::PointResult::*member,
                              const auto& turned) {
     point.*member = turned(point.normal_force, point.lateral_force, place);
     if (place.patches > 1)
       point.no_bar[name] = contact::NoBar::balance;
-    else if (point.error_estimate.count("normal_force") +
-                 point.error_estimate.count("lateral_force") >
-             0)
+    else if (point.has_bar("normal_force") || point.has_bar("lateral_force"))
       point.error_estimate[name] = std::abs(turned(bar("normal_force"), 0.0, place)) +
                                    std::abs(turned(0.0, bar("lateral_force"), place));
     else
@@ -128,7 +123,7 @@ void add_on_track(const contact::ContactPlace& place, contact::PointResult& poin
             track::lateral_force);
   const double level = halfspace::upwards(place)[1];
   point.loaded_height = place.height + (point.approach + place.separation) / level;
-  if (point.error_estimate.count("approach") > 0)
+  if (point.has_bar("approach"))
     point.error_estimate["loaded_height"] = bar("approach") / level;
   else
     point.no_bar["loaded_height"] = point.no_bar["approach"];

@@ -74,8 +74,7 @@ void add_value(Columns<Line>& columns, const Quantity& quantity) {
 
 /// The bar, or the word instead of it; empty without a value.
 std::string bar_cell(const PointResult& point, const std::string& name) {
-  if (const auto bar = point.error_estimate.find(name); bar != point.error_estimate.end())
-    return csv_cell(bar->second);
+  if (point.has_bar(name)) return csv_cell(point.bar_of(name));
   const auto word = point.no_bar.find(name);
   return word == point.no_bar.end() ? "" : word_of(word->second);
 }

@@ -4,6 +4,7 @@
 #include "models/choice/choice.hpp"
 
 #include "base/errors.hpp"
+#include "result/record.hpp"
 
 #include "support/temporary_folder.hpp"
 #include <algorithm>
@@ -307,8 +308,9 @@ TEST(Choice, AgreesWithTheFirstProcess) {
   Wanted what = wanted(0.01);
   int asked = 0;  // the first one has the plain model's error, this process nothing of it
   what.agree = [&](const std::string&) {
-    return ++asked == 1 ? "1 0.001 0.03 0.001 0.03 1 max_pressure"
-                        : "1 0.001 0 0.001 0 1 max_pressure";
+    const double model = ++asked == 1 ? 0.03 : 0.0;
+    return rollfem::contact::record_of(1.0, 0.001, model, 0.001, model, 1,
+                                       std::string("max_pressure"));
   };
   EXPECT_EQ(choose(candidates(toys), what).name, "corrected");
   EXPECT_EQ(asked, 2);

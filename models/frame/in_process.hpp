@@ -13,22 +13,23 @@
 namespace rollfem::modelling {
 
 /// How to solve with these models; parallel ones wait for each other while it lives.
-struct Ready {
+struct InProcess {
   Solving how;
   FemLock one_at_a_time;
 };
 
 /// Starts MPI where a model needs it. Throws contact::InputError for a model that is not built.
-inline Ready ready_for(const contact::ModelRegistry& known, const std::vector<std::string>& models,
-                       const contact::Progress& progress) {
-  Ready ready;
-  ready.how.models = &known;
-  ready.how.progress = progress;
-  if (!any_parallel(known, models)) return ready;
-  ready.one_at_a_time = lock_fem();
-  ready.how.need_session = [] { parallel_session("models"); };
-  if (!any_choice(known, models)) ready.how.need_session();
-  return ready;
+inline InProcess in_process(const contact::ModelRegistry& known,
+                            const std::vector<std::string>& models,
+                            const contact::Progress& progress) {
+  InProcess solving;
+  solving.how.models = &known;
+  solving.how.progress = progress;
+  if (!any_parallel(known, models)) return solving;
+  solving.one_at_a_time = lock_fem();
+  solving.how.need_session = [] { parallel_session("models"); };
+  if (!any_choice(known, models)) solving.how.need_session();
+  return solving;
 }
 
 }  // namespace rollfem::modelling
