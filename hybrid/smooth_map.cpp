@@ -126,9 +126,7 @@ void SmoothStressOnGrid::add(const SubsurfacePoint& at, SubsurfaceState& state) 
                                  depth_polynomials(fields_, depth_, degree_, at) /
                                  (farthest * farthest);
   for (int c = 0; c < 3; ++c) state.displacement[static_cast<std::size_t>(c)] += beyond[c];
-  auto stress = state.stress.as_array();
-  for (int c = 0; c < 6; ++c) stress[static_cast<std::size_t>(c)] += beyond[3 + c];
-  state.stress = contact::Stress::from_array(stress);
+  for (int c = 0; c < 6; ++c) state.stress[static_cast<std::size_t>(c)] += beyond[3 + c];
 }
 
 }  // namespace rollfem::hybrid

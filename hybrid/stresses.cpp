@@ -134,7 +134,7 @@ SubsurfaceField Stresses::field(const SubsurfaceRequest& request, std::size_t nu
     body.add_beyond(asked.points[k], states[k]);
     turn(asked.axes[k], states[k]);
     field.displacement.push_back(states[k].displacement);
-    field.stress.push_back(states[k].stress.as_array());
+    field.stress.push_back(states[k].stress);
   }
   return field;
 }
@@ -168,9 +168,8 @@ void Stresses::finish(const contact::ContactGrid& grid, double part, double rela
     for (std::size_t p = 0; p < asked.points.size(); ++p) {
       SubsurfaceState state;
       loaded.of(field.request.wheel).add_beyond(asked.points[p], state);
-      const auto own = state.stress.as_array();
-      for (std::size_t c = 0; c < own.size(); ++c)
-        most = std::max({most, std::abs(own[c]), std::abs(relative * field.stress[p][c])});
+      for (std::size_t c = 0; c < state.stress.size(); ++c)
+        most = std::max({most, std::abs(state.stress[c]), std::abs(relative * field.stress[p][c])});
     }
   }
   widen("subsurface_stress", most);

@@ -65,7 +65,7 @@ double mean_stretch(const PatchShape& shape, const Field& pressure) {
 
 std::vector<double> SubsurfaceField::von_mises() const {
   std::vector<double> values;
-  for (const auto& each : stress) values.push_back(contact::von_mises(Stress::from_array(each)));
+  for (const auto& each : stress) values.push_back(contact::von_mises(each));
   return values;
 }
 

@@ -80,7 +80,7 @@ py::tuple below(const Loaded& load, bool wheel, double young, double poisson, co
          return halfspace::smooth_subsurface_at(load.body(wheel, {young, poisson}), points);
        })) {
     displacement.push_back(state.displacement);
-    stress.push_back(state.stress.as_array());
+    stress.push_back(state.stress);
   }
   return py::make_tuple(array_of(displacement), array_of(stress));
 }

@@ -67,7 +67,7 @@ std::array<double, DilatationSpace::largest_size> DilatationSpace::values(
   return v;
 }
 
-dealii::Tensor<2, 3> tensor_of(const std::array<double, 6>& components) {
+dealii::Tensor<2, 3> tensor_of(const contact::SymmetricTensor& components) {
   dealii::Tensor<2, 3> tensor;
   for (unsigned int c = 0; c < 3; ++c) tensor[c][c] = components[c];
   tensor[0][1] = tensor[1][0] = components[3];
@@ -76,7 +76,7 @@ dealii::Tensor<2, 3> tensor_of(const std::array<double, 6>& components) {
   return tensor;
 }
 
-std::array<double, 6> components_of(const dealii::Tensor<2, 3>& t) {
+contact::SymmetricTensor components_of(const dealii::Tensor<2, 3>& t) {
   return {t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[0][2]};
 }
 
@@ -107,8 +107,8 @@ void CellStress::reinit(const dealii::DoFHandler<3>::active_cell_iterator& cell,
   }
 }
 
-std::array<double, 6> CellStress::at(const dealii::Tensor<2, 3>& g,
-                                     const dealii::Point<3>& place) const {
+contact::SymmetricTensor CellStress::at(const dealii::Tensor<2, 3>& g,
+                                        const dealii::Point<3>& place) const {
   double dilatation = dealii::trace(g);
   if (values_) {
     const auto functions = space_.values(place);

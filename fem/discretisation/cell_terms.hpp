@@ -5,6 +5,7 @@
 #pragma once
 
 #include "fem/discretisation/elastic_problem.hpp"
+#include "result/stress_measures.hpp"
 
 #include <deal.II/fe/fe_values.h>
 
@@ -54,8 +55,8 @@ class DilatationSpace {
 };
 
 /// A symmetric tensor and its components xx yy zz xy yz xz.
-dealii::Tensor<2, 3> tensor_of(const std::array<double, 6>& components);
-std::array<double, 6> components_of(const dealii::Tensor<2, 3>& tensor);
+dealii::Tensor<2, 3> tensor_of(const contact::SymmetricTensor& components);
+contact::SymmetricTensor components_of(const dealii::Tensor<2, 3>& tensor);
 
 /// Stress by Hooke's law, cell by cell, sigma = lambda P(div u) I + 2 mu eps(u), with the same
 /// projection P (or none) as in the stiffness: with the unprojected dilatation the pressure of a
@@ -67,8 +68,8 @@ class CellStress {
   void reinit(const dealii::DoFHandler<3>::active_cell_iterator& cell, const Vector& displacement);
   /// xx yy zz xy yz xz in MPa at a point of the cell where the displacement has this gradient,
   /// gradient[i][j] = du_i/dx_j.
-  std::array<double, 6> at(const dealii::Tensor<2, 3>& gradient,
-                           const dealii::Point<3>& place) const;
+  contact::SymmetricTensor at(const dealii::Tensor<2, 3>& gradient,
+                              const dealii::Point<3>& place) const;
 
  private:
   double lambda_, mu_;

@@ -44,7 +44,7 @@ std::vector<Place> section_places(const Body& body, const Streamlines& streamlin
   return places;
 }
 
-std::array<float, 6> single(const std::array<double, 6>& tensor) {
+std::array<float, 6> single(const contact::SymmetricTensor& tensor) {
   std::array<float, 6> rounded{};
   std::copy(tensor.begin(), tensor.end(), rounded.begin());
   return rounded;

@@ -14,20 +14,6 @@ const double root_of_3_2 = std::sqrt(1.5);
 
 }  // namespace
 
-double product(const Deviator& a, const Deviator& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
-}
-
-double norm(const Deviator& a) {
-  return std::sqrt(product(a, a));
-}
-
-Deviator sum(const Deviator& a, double factor, const Deviator& b) {
-  Deviator c;
-  for (std::size_t i = 0; i < 6; ++i) c[i] = a[i] + factor * b[i];
-  return c;
-}
-
 PlasticLaw::PlasticLaw(const contact::BodyPlasticity& parameters, double shear_modulus)
     : parameters_(parameters), shear_modulus_(shear_modulus) {}
 

@@ -3,21 +3,17 @@
 #pragma once
 
 #include "case/body_plasticity.hpp"
+#include "result/stress_measures.hpp"
 
 #include <array>
 
 namespace rollfem::fem {
 
-/// A symmetric tensor without trace: xx yy zz xy yz xz, components of the tensor (not engineering
-/// shear).
-using Deviator = std::array<double, 6>;
-
-/// a : b.
-double product(const Deviator& a, const Deviator& b);
-/// sqrt(a : a).
-double norm(const Deviator& a);
-/// a + factor b.
-Deviator sum(const Deviator& a, double factor, const Deviator& b);
+/// A symmetric tensor without trace.
+using Deviator = contact::SymmetricTensor;
+using contact::norm;
+using contact::product;
+using contact::sum;
 
 /// What a material point remembers.
 struct PlasticState {

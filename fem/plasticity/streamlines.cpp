@@ -275,8 +275,8 @@ void Streamlines::load(const std::vector<Deviator>& plastic,
   b.compress(dealii::VectorOperation::add);
 }
 
-std::array<double, 6> Streamlines::in_section(const std::array<double, 6>& stress,
-                                              std::size_t station, std::size_t stream) const {
+contact::SymmetricTensor Streamlines::in_section(const contact::SymmetricTensor& stress,
+                                                 std::size_t station, std::size_t stream) const {
   const Implementation& of = *implementation_;
   const SpaceTensor turn = of.turn(of.sine_at(s(station), section(stream)[0]));
   return components_of(dealii::transpose(turn) * tensor_of(stress) * turn);

@@ -56,8 +56,8 @@ class Streamlines : public StreamLattice {
             const std::vector<PlasticState>& outflow, Vector& b) const;
 
   /// Stress in space at a point, turned to the section (xx yy zz xy yz xz).
-  std::array<double, 6> in_section(const std::array<double, 6>& stress, std::size_t station,
-                                   std::size_t stream) const;
+  contact::SymmetricTensor in_section(const contact::SymmetricTensor& stress, std::size_t station,
+                                      std::size_t stream) const;
   /// All but the residual stress, at the nodes of cells on streamlines: from linear functions in
   /// each cell, averaged. Arguments as of load(); `before`: stress along and across before the
   /// first pass, MPa, over depth. Collective.

@@ -118,10 +118,11 @@ class SurfaceNodes {
 
 }  // namespace
 
-std::vector<std::array<double, 6>> stress_at(const BodyPoints& points, const NodalStress& stress) {
+std::vector<contact::SymmetricTensor> stress_at(const BodyPoints& points,
+                                                const NodalStress& stress) {
   const auto direct = points.values(stress.direct, direct_mirror);
   const auto shear = points.values(stress.shear, shear_mirror);
-  std::vector<std::array<double, 6>> result;
+  std::vector<contact::SymmetricTensor> result;
   for (std::size_t k = 0; k < points.size(); ++k)
     result.push_back(
         {direct[k][0], direct[k][1], direct[k][2], shear[k][0], shear[k][1], shear[k][2]});
@@ -255,7 +256,7 @@ struct StressOutput::Implementation {
         [&](double x, double y, double z) { return place_below(part.body.shape(), x, y, z); });
     std::vector<double> xz;
     for (const auto& value : stress_at(part.locator.find(lines.places, step), stress))
-      xz.push_back(value[5]);
+      xz.push_back(value[contact::component::xz]);
     return contact::largest_xz_range(part.name, lines, xz);
   }
 
@@ -286,12 +287,11 @@ struct StressOutput::Implementation {
     const auto& measures = contact::reported_measures();
     std::vector<Start> starts(measures.size());
     part.recovery.for_each_node(
-        stress, [&](const Place& place, const std::array<double, 6>& value, double size) {
-          const contact::Stress at = contact::Stress::from_array(value);
+        stress, [&](const Place& place, const contact::SymmetricTensor& value, double size) {
           const bool below = depth_of(part, place) > least_depth * size;
           for (std::size_t m = 0; m < measures.size(); ++m) {
             if (contact::only_below(measures[m]) && !below) continue;
-            const Start here{{measures[m].value(at), place}, size};
+            const Start here{{measures[m].value(value), place}, size};
             if (starts[m].loses_to(here)) starts[m] = here;
           }
         });
@@ -317,7 +317,7 @@ struct StressOutput::Implementation {
             result.push_back({std::isfinite(points.moved(k)) &&
                                       (!contact::only_below(of) ||
                                        depth_of(part, points.place(k)) > least_depth * start.size)
-                                  ? of.value(contact::Stress::from_array(values[k]))
+                                  ? of.value(values[k])
                                   : -contact::infinity,
                               points.place(k)});
           return result;

@@ -42,7 +42,8 @@ class StressOutput {
 };
 
 /// At points: xx yy zz xy yz xz, in space.
-std::vector<std::array<double, 6>> stress_at(const BodyPoints& points, const NodalStress& stress);
+std::vector<contact::SymmetricTensor> stress_at(const BodyPoints& points,
+                                                const NodalStress& stress);
 
 /// The point at (x, y) and `depth` (mm) below the contact surface of a body: along z in the rail,
 /// towards the axle in the wheel. Throws contact::InputError where x is outside the wheel.

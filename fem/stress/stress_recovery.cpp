@@ -20,9 +20,9 @@ namespace rollfem::fem {
 
 namespace {
 
+using contact::SymmetricTensor;
 using dealii::Point;
 using dealii::Tensor;
-using Stress6 = std::array<double, 6>;
 using GlobalIndex = dealii::types::global_dof_index;
 
 /// Rounding tolerance of the distance from the symmetry plane y = 0, mm.
@@ -78,12 +78,9 @@ LocalFrame local_frame(const Cell& cell) {
 }
 
 /// sigma : C^-1 : sigma, N/mm^2.
-double energy_density(const contact::Material& material, const Stress6& s) {
-  const double trace = s[0] + s[1] + s[2];
-  const double square =
-      s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
-  const double nu = material.poisson_ratio;
-  return ((1 + nu) * square - nu * trace * trace) / material.young_modulus;
+double energy_density(const contact::Material& material, const SymmetricTensor& s) {
+  const double nu = material.poisson_ratio, trace = contact::trace(s);
+  return ((1 + nu) * contact::product(s, s) - nu * trace * trace) / material.young_modulus;
 }
 
 }  // namespace
@@ -181,9 +178,9 @@ struct StressRecovery::Implementation {
 
   /// Stress at the superconvergent points of a cell: the Gauss points of the rule with degree^3
   /// points (Barlow 1976).
-  std::vector<Stress6> sample(const CellData& cell, const Vector& displacement,
-                              CellStress& law) const {
-    std::vector<Stress6> stress;
+  std::vector<SymmetricTensor> sample(const CellData& cell, const Vector& displacement,
+                                      CellStress& law) const {
+    std::vector<SymmetricTensor> stress;
     law.reinit(cell.cell, displacement);
     std::vector<double> u(cell.dofs.size());
     for (std::size_t i = 0; i < u.size(); ++i) u[i] = displacement(cell.dofs[i]);
@@ -198,7 +195,8 @@ struct StressRecovery::Implementation {
   }
 
   /// Stress at the nodes of a cell by least squares over its patch.
-  Eigen::MatrixXd fit(const Patch& patch, const std::vector<std::vector<Stress6>>& stress) const {
+  Eigen::MatrixXd fit(const Patch& patch,
+                      const std::vector<std::vector<SymmetricTensor>>& stress) const {
     const Eigen::Index terms = polynomials.size();
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(terms, terms);
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(terms, 6);
@@ -213,7 +211,7 @@ struct StressRecovery::Implementation {
     for (const std::size_t c : patch.cells)
       for (std::size_t q = 0; q < stress[c].size(); ++q) {
         const Point<3>& at = cells[c].samples[q];
-        const Stress6& s = stress[c][q];
+        const SymmetricTensor& s = stress[c][q];
         Eigen::Matrix<double, 1, 6> value;
         value << s[0], s[1], s[2], s[3], s[4], s[5];
         add(at, value);
@@ -257,7 +255,7 @@ struct StressRecovery::Implementation {
   }
 
   NodalStress recover(const Vector& displacement) const {
-    std::vector<std::vector<Stress6>> stress;
+    std::vector<std::vector<SymmetricTensor>> stress;
     stress.reserve(cells.size());
     CellStress law(body.problem());
     for (const CellData& cell : cells) stress.push_back(sample(cell, displacement, law));
@@ -282,8 +280,8 @@ struct StressRecovery::Implementation {
     return result;
   }
 
-  Stress6 at_node(const Patch& patch, unsigned int node, const NodalStress& stress) const {
-    Stress6 value{};
+  SymmetricTensor at_node(const Patch& patch, unsigned int node, const NodalStress& stress) const {
+    SymmetricTensor value{};
     for (unsigned int c = 0; c < 3; ++c) {
       value[c] = stress.direct(dof(patch, node, c));
       value[3 + c] = stress.shear(dof(patch, node, c));
@@ -332,8 +330,8 @@ std::vector<StressRecovery::Node> StressRecovery::nodes(
   return result;
 }
 
-void StressRecovery::replace(const std::vector<Node>& nodes, const std::vector<Stress6>& known,
-                             NodalStress& stress) const {
+void StressRecovery::replace(const std::vector<Node>& nodes,
+                             const std::vector<SymmetricTensor>& known, NodalStress& stress) const {
   for (std::size_t k = 0; k < nodes.size(); ++k)
     for (unsigned int c = 0; c < 3; ++c) {
       stress.direct(nodes[k].unknowns[c]) = known[k][c];
@@ -348,7 +346,8 @@ void StressRecovery::replace(const std::vector<Node>& nodes, const std::vector<S
 
 void StressRecovery::for_each_node(
     const NodalStress& stress,
-    const std::function<void(const std::array<double, 3>&, const Stress6&, double)>& f) const {
+    const std::function<void(const std::array<double, 3>&, const SymmetricTensor&, double)>& f)
+    const {
   for (const auto& patch : implementation_->patches) {
     const double size = 1.0 / std::cbrt(dealii::determinant(patch.frame.inverse));
     for (unsigned int a = 0; a < patch.nodes.size(); ++a) {
@@ -380,13 +379,10 @@ EnergyError energy_error(const Body& body, const Vector& displacement, const Nod
     values[vector].get_function_values(stress.direct, direct);
     values[vector].get_function_values(stress.shear, shear);
     for (unsigned int q = 0; q < points; ++q) {
-      const Stress6 own = law.at(gradients[q], values.quadrature_point(q));
-      Stress6 difference{};
-      for (unsigned int c = 0; c < 3; ++c) {
-        difference[c] = direct[q][c] - own[c];
-        difference[3 + c] = shear[q][c] - own[3 + c];
-      }
-      error += energy_density(body.material(), difference) * values.JxW(q);
+      const SymmetricTensor own = law.at(gradients[q], values.quadrature_point(q));
+      const SymmetricTensor recovered{direct[q][0], direct[q][1], direct[q][2],
+                                      shear[q][0],  shear[q][1],  shear[q][2]};
+      error += energy_density(body.material(), contact::sum(recovered, -1.0, own)) * values.JxW(q);
       energy += energy_density(body.material(), own) * values.JxW(q);
     }
   }

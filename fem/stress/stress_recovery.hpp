@@ -5,6 +5,7 @@
 #pragma once
 
 #include "fem/discretisation/body.hpp"
+#include "result/stress_measures.hpp"
 
 #include <array>
 #include <functional>
@@ -52,13 +53,13 @@ class StressRecovery {
   /// The nodes whose unknowns this process owns and whose place `chosen` accepts, each once.
   std::vector<Node> nodes(const std::function<bool(const std::array<double, 3>&)>& chosen) const;
   /// Puts known stresses, xx yy zz xy yz xz in MPa, in place of the recovered ones. Collective.
-  void replace(const std::vector<Node>& nodes, const std::vector<std::array<double, 6>>& known,
+  void replace(const std::vector<Node>& nodes, const std::vector<contact::SymmetricTensor>& known,
                NodalStress& stress) const;
   /// Calls f(point, stress xx yy zz xy yz xz, size of the cell in mm) for the nodes of every cell
   /// of this process; shared nodes occur several times.
   void for_each_node(const NodalStress& stress,
                      const std::function<void(const std::array<double, 3>&,
-                                              const std::array<double, 6>&, double)>& f) const;
+                                              const contact::SymmetricTensor&, double)>& f) const;
 
  private:
   struct Implementation;

@@ -65,8 +65,8 @@ Tensor2 in_frame(const Tensor2& global, const SurfaceFrame& axes) {
 }
 
 /// Hooke's law with the strain within the surface and the stress on it given.
-std::array<double, 6> in_global(const SurfaceStrain& strain, const Tensor1& load,
-                                const SurfaceFrame& axes, const contact::Material& material) {
+contact::SymmetricTensor in_global(const SurfaceStrain& strain, const Tensor1& load,
+                                   const SurfaceFrame& axes, const contact::Material& material) {
   const double nu = material.poisson_ratio;
   const double plane = material.young_modulus / (1.0 - nu * nu);
   const double of_normal = nu / (1.0 - nu) * (load * axes[2]);
@@ -78,7 +78,7 @@ std::array<double, 6> in_global(const SurfaceStrain& strain, const Tensor1& load
   Tensor2 s;
   for (unsigned int a = 0; a < 3; ++a)
     for (unsigned int b = 0; b < 3; ++b) s += local[a][b] * dealii::outer_product(axes[a], axes[b]);
-  return {s[0][0], s[1][1], s[2][2], s[0][1], s[1][2], s[0][2]};
+  return components_of(s);
 }
 
 /// Cubic convolution: weights of four equally spaced values around a position that is `f` of a step
@@ -220,7 +220,7 @@ SurfaceStress::SurfaceStress(const Body& body, const BodyLocator& locator, const
 }
 
 void SurfaceStress::combine(const Vector& displacement, const contact::SurfaceField& traction,
-                            std::vector<std::array<double, 6>>& stress) const {
+                            std::vector<contact::SymmetricTensor>& stress) const {
   if (places_.empty()) return;
   const SurfaceTractions tractions(grid_, traction);
   std::array<std::vector<std::array<double, 3>>, 4> moved;
@@ -240,7 +240,7 @@ void SurfaceStress::combine(const Vector& displacement, const contact::SurfaceFi
       change[d] = vector(moved[2 * d][k]) - vector(moved[2 * d + 1][k]);
       inside = inside && std::isfinite(ahead.moved(k)) && std::isfinite(behind.moved(k));
     }
-    std::array<double, 6>& here = stress[on_surface_[k]];
+    contact::SymmetricTensor& here = stress[on_surface_[k]];
     const SurfaceStrain strain = inside
                                      ? strain_of(way, change, own)
                                      : strain_of(in_frame(tensor_of(here), own), body_.material());

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fem/discretisation/body_points.hpp"
+#include "result/stress_measures.hpp"
 #include "scene/contact_surface.hpp"
 
 namespace rollfem::fem {
@@ -24,7 +25,7 @@ class SurfaceStress {
   /// displacement over one cell (where the body ends within that cell, the strain of the recovered
   /// stress). Collective.
   void combine(const Vector& displacement, const contact::SurfaceField& traction,
-               std::vector<std::array<double, 6>>& stress) const;
+               std::vector<contact::SymmetricTensor>& stress) const;
 
  private:
   const Body& body_;

@@ -54,7 +54,7 @@ Lattice largest_on_lattice(const LoadedBody& body, const std::vector<double>& de
           best[m] = {value, place};
       if (layer.depth == 0.0) continue;
       found.lines.places.push_back(place);
-      found.xz.push_back(state.stress.xz);
+      found.xz.push_back(state.stress[contact::component::xz]);
     }
   return found;
 }

@@ -402,14 +402,13 @@ std::vector<SubsurfaceState> smooth_subsurface_at(const LoadedBody& body,
   for (std::size_t k = 0; k < points.size(); ++k) {
     const SubsurfacePoint& at = points[k];
     if (at.depth > on_surface) continue;
-    std::array<double, 6> stress{};
+    contact::SymmetricTensor stress{};
     for (std::size_t corner = 0; corner < 4; ++corner, ++next) {
       const double weight = (1.0 - std::abs(at.x - all[next].x) / grid.dx) *
                             (1.0 - std::abs(at.y - all[next].y) / grid.dy);
-      const auto value = states[next].stress.as_array();
-      for (std::size_t c = 0; c < 6; ++c) stress[c] += weight * value[c];
+      stress = contact::sum(stress, weight, states[next].stress);
     }
-    states[k].stress = contact::Stress::from_array(stress);
+    states[k].stress = stress;
   }
   states.resize(points.size());
   return states;
@@ -451,7 +450,7 @@ std::vector<contact::SubsurfaceField> subsurface_fields(const contact::Scene& sc
                           traction};
     for (const SubsurfaceState& state : subsurface_at(body, points)) {
       field.displacement.push_back(state.displacement);
-      field.stress.push_back(state.stress.as_array());
+      field.stress.push_back(state.stress);
     }
     fields.push_back(std::move(field));
   }

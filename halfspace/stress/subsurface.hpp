@@ -42,7 +42,7 @@ struct SubsurfacePoint {
 /// Global frame.
 struct SubsurfaceState {
   std::array<double, 3> displacement{};  ///< mm
-  contact::Stress stress;                ///< MPa, tension positive
+  contact::SymmetricTensor stress{};     ///< MPa, tension positive
 };
 
 /// The states of one depth, one per point of a lattice, index j * nx + i.

@@ -34,14 +34,10 @@ constexpr std::array<double, components> mirror{1, -1, 1, 1, 1, 1, -1, -1, 1};
 
 /// From global axes to the local axes.
 void turn(const contact::Axes& axes, Eigen::Ref<Eigen::RowVectorXd> state) {
-  std::array<double, 3> u{};
-  std::array<double, 6> stress{};
-  for (Index k = 0; k < 3; ++k) u.at(k) = state[k];
-  for (Index k = 0; k < 6; ++k) stress.at(k) = state[3 + k];
-  u = contact::into_axes(axes, u);
-  stress = contact::into_axes(axes, contact::Stress::from_array(stress)).as_array();
-  for (Index k = 0; k < 3; ++k) state[k] = u.at(k);
-  for (Index k = 0; k < 6; ++k) state[3 + k] = stress.at(k);
+  const auto u = contact::into_axes(axes, contact::Vector3{state[0], state[1], state[2]});
+  const auto s = contact::into_axes(
+      axes, contact::SymmetricTensor{state[3], state[4], state[5], state[6], state[7], state[8]});
+  state << u[0], u[1], u[2], s[0], s[1], s[2], s[3], s[4], s[5];
 }
 
 }  // namespace

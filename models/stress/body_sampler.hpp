@@ -6,6 +6,7 @@
 #pragma once
 
 #include "result/result.hpp"
+#include "result/stress_measures.hpp"
 
 #include <array>
 #include <string>
@@ -19,7 +20,7 @@ struct BodySample {
   Place place{};       ///< mm, where the values apply: on the surface for a place beyond it
   double moved = 0.0;  ///< mm, distance from the requested place
   std::array<double, 3> displacement{};  ///< mm
-  std::array<double, 6> stress{};        ///< MPa: xx yy zz xy yz xz
+  contact::SymmetricTensor stress{};     ///< MPa
 };
 
 class BodySampler {

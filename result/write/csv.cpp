@@ -166,17 +166,20 @@ const Columns<Below>& below_columns() {
     add(&F::points, "mm", {"x", "y", "z"});
     add(&F::displacement, "mm", {"displacement_x", "displacement_y", "displacement_z"});
     add(&F::stress, "MPa", {"xx", "yy", "zz", "xy", "yz", "xz"});
-    using contact::Stress;
+    using contact::SymmetricTensor;
     for (const contact::StressMeasure& measure : std::initializer_list<contact::StressMeasure>{
              {"hydrostatic", contact::hydrostatic},
              {"von_mises", contact::von_mises},
              {"tresca", contact::tresca},
              {"orthogonal_shear", contact::orthogonal_shear},
-             {"principal_1", [](const Stress& stress) { return contact::principal(stress)[0]; }},
-             {"principal_2", [](const Stress& stress) { return contact::principal(stress)[1]; }},
-             {"principal_3", [](const Stress& stress) { return contact::principal(stress)[2]; }}})
+             {"principal_1",
+              [](const SymmetricTensor& stress) { return contact::principal(stress)[0]; }},
+             {"principal_2",
+              [](const SymmetricTensor& stress) { return contact::principal(stress)[1]; }},
+             {"principal_3",
+              [](const SymmetricTensor& stress) { return contact::principal(stress)[2]; }}})
       columns.add(measure.name, "MPa", [value = measure.value](const Below& below) {
-        return value(Stress::from_array(below.field->stress[below.k]));
+        return value(below.field->stress[below.k]);
       });
     return columns;
   }();

@@ -176,8 +176,8 @@ std::string BodyVtu::text(const contact::BodyValues* values) const {
     data += numbers("stress [MPa]", flatten(values->stress), tensor);
     std::vector<float> equivalent;
     for (const auto& s : values->stress)
-      equivalent.push_back(static_cast<float>(
-          contact::von_mises(contact::Stress::from_array({s[0], s[1], s[2], s[3], s[4], s[5]}))));
+      equivalent.push_back(
+          static_cast<float>(contact::von_mises({s[0], s[1], s[2], s[3], s[4], s[5]})));
     data += numbers("von Mises stress [MPa]", equivalent);
     if (!values->accumulated.empty())
       data += numbers("plastic strain [-]", flatten(values->plastic_strain), tensor) +

@@ -3,6 +3,7 @@
 // process.
 #pragma once
 
+#include "fem/discretisation/cell_terms.hpp"
 #include "fem/linear/linear_solver.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -22,10 +23,7 @@ inline dealii::Tensor<2, 3> stress_of(const dealii::Tensor<2, 3>& gradient,
   return stress;
 }
 
-/// xx, yy, zz, xy, yz, xz.
-inline std::array<double, 6> components_of(const dealii::Tensor<2, 3>& s) {
-  return {s[0][0], s[1][1], s[2][2], s[0][1], s[1][2], s[0][2]};
-}
+using fem::components_of;
 
 /// Calls f(cell, values) with values, gradients, places and weights at Gauss points.
 template <class F>

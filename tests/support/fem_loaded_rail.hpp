@@ -13,7 +13,7 @@
 
 namespace rollfem::testing {
 
-using Stress6 = std::array<double, 6>;
+using contact::SymmetricTensor;
 
 struct LoadedRail {
   static constexpr double p0 = 1000.0;
@@ -60,10 +60,10 @@ struct LoadedRail {
     stress = fem::StressRecovery(*body).recover(displacement);
   }
 
-  std::vector<Stress6> recovered(const fem::BodyPoints& points) const {
+  std::vector<SymmetricTensor> recovered(const fem::BodyPoints& points) const {
     const auto direct = points.values(stress.direct, {1, 1, 1});
     const auto shear = points.values(stress.shear, {-1, -1, 1});
-    std::vector<Stress6> result;
+    std::vector<SymmetricTensor> result;
     for (std::size_t k = 0; k < points.size(); ++k)
       result.push_back(
           {direct[k][0], direct[k][1], direct[k][2], shear[k][0], shear[k][1], shear[k][2]});
@@ -71,20 +71,20 @@ struct LoadedRail {
   }
 
   /// The half-space under the same tractions on elements so small that their steps do not show.
-  std::vector<Stress6> of_half_space(const std::vector<fem::Place>& places) const {
+  std::vector<SymmetricTensor> of_half_space(const std::vector<fem::Place>& places) const {
     const auto fine = contact::ContactGrid::centred(86, 86, 0.1, 0.1);
     std::vector<halfspace::SubsurfacePoint> points;
     for (const fem::Place& place : places) points.push_back({place[0], place[1], -place[2]});
-    std::vector<Stress6> result;
+    std::vector<SymmetricTensor> result;
     for (const auto& state :
          halfspace::subsurface_at({halfspace::Body::rail, material, fine, hertz(fine)}, points))
-      result.push_back(state.stress.as_array());
+      result.push_back(state.stress);
     return result;
   }
 
   /// Largest difference of a component, in p0.
-  static double largest_difference(const std::vector<Stress6>& one,
-                                   const std::vector<Stress6>& other) {
+  static double largest_difference(const std::vector<SymmetricTensor>& one,
+                                   const std::vector<SymmetricTensor>& other) {
     double largest = 0.0;
     for (std::size_t k = 0; k < one.size(); ++k)
       for (std::size_t c = 0; c < 6; ++c)

@@ -11,6 +11,8 @@
 
 namespace {
 
+using namespace contact::component;
+
 using case_a::coefficients, case_a::creepages;
 constexpr double exact_p0 = case_a::p0, exact_a = case_a::semi_axis_x,
                  exact_b = case_a::semi_axis_y;
@@ -139,13 +141,13 @@ TEST(FemCaseA, StressBelowTheMiddleAgreesWithContactWithinOnePercentOfThePressur
   ASSERT_EQ(point.subsurface.size(), 2 * std::size(case_a::below));
   for (std::size_t k = 0; k < point.subsurface.size(); ++k) {
     const case_a::Below& row = case_a::below[k % std::size(case_a::below)];
-    const contact::Stress s = contact::Stress::from_array(point.subsurface[k].stress.front());
-    const double differences[] = {s.xx - row.xx,
-                                  s.yy - row.yy,
-                                  s.zz - row.zz,
-                                  s.xy,
-                                  s.yz,
-                                  s.xz,
+    const contact::SymmetricTensor s = point.subsurface[k].stress.front();
+    const double differences[] = {s[xx] - row.xx,
+                                  s[yy] - row.yy,
+                                  s[zz] - row.zz,
+                                  s[xy],
+                                  s[yz],
+                                  s[xz],
                                   contact::von_mises(s) - row.von_mises};
     for (const double difference : differences)
       EXPECT_LT(std::abs(difference), 0.01 * exact_p0) << "request " << k << ", depth " << row.z;

@@ -37,7 +37,7 @@ contact::SubsurfaceRequest line_down(bool wheel, double depth, int points) {
 }
 
 double von_mises(const contact::PointResult& point, std::size_t request, std::size_t k) {
-  return contact::von_mises(contact::Stress::from_array(point.subsurface[request].stress[k]));
+  return contact::von_mises(point.subsurface[request].stress[k]);
 }
 
 double largest_von_mises(const contact::PointResult& point, const std::string& body) {

@@ -38,7 +38,7 @@ Errors errors(const LoadedRail& rail, double from, double to, Exact&& exact) {
       places.push_back({middle(r * std::cos(angle)), middle(r * std::sin(angle)), 0.0});
     }
   const auto found = rail.locator->find(places, 1e-6);
-  const std::vector<Stress6> recovered = rail.recovered(found), expected = exact(places);
+  const std::vector<SymmetricTensor> recovered = rail.recovered(found), expected = exact(places);
   auto combined = recovered;
   fem::SurfaceStress(*rail.body, *rail.locator, found, rail.grid, {})
       .combine(rail.displacement, rail.traction, combined);
@@ -46,8 +46,8 @@ Errors errors(const LoadedRail& rail, double from, double to, Exact&& exact) {
           LoadedRail::largest_difference(combined, expected)};
 }
 
-std::vector<Stress6> hertz_surface(const std::vector<fem::Place>& places) {
-  std::vector<Stress6> result;
+std::vector<SymmetricTensor> hertz_surface(const std::vector<fem::Place>& places) {
+  std::vector<SymmetricTensor> result;
   for (const fem::Place& place : places) {
     const double r = std::hypot(place[0], place[1]);
     const auto [radial, hoop, normal] = exact_circle(r / LoadedRail::a);
@@ -130,12 +130,12 @@ TEST(SurfaceStress, OfUniformStrainIsUniformOnACurvedBodyWithASharedSurfaceOfAno
       }
     const fem::BodyLocator locator(body);
     const auto points = locator.find(places, 0.1);
-    std::vector<Stress6> stress(places.size());
+    std::vector<SymmetricTensor> stress(places.size());
     fem::SurfaceStress(body, locator, points, grid, shared)
         .combine(uniform.displacement(body), uniform.tractions(shape, shared, grid), stress);
     const auto s = uniform.stress();
-    const Stress6 expected = components_of(s);
-    for (const Stress6& here : stress)
+    const SymmetricTensor expected = components_of(s);
+    for (const SymmetricTensor& here : stress)
       for (int c = 0; c < 6; ++c)
         EXPECT_NEAR(here[c], expected[c], 2e-4 * std::abs(s[2][2])) << shape.is_wheel << c;
   }

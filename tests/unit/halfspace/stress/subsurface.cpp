@@ -12,6 +12,8 @@
 
 namespace {
 
+using namespace contact::component;
+
 using halfspace::Body;
 using halfspace::LoadedBody;
 using halfspace::SubsurfaceState;
@@ -37,7 +39,7 @@ void expect_same(const SubsurfaceState& found, const SubsurfaceState& expected, 
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_NEAR(found.displacement[i], expected.displacement[i], tolerance * 0.01);
   for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_NEAR(found.stress.as_array()[i], expected.stress.as_array()[i], tolerance * 900.0);
+    EXPECT_NEAR(found.stress[i], expected.stress[i], tolerance * 900.0);
 }
 
 halfspace::SubsurfaceLayer plane(const LoadedBody& body, const contact::ContactGrid& points,
@@ -67,12 +69,12 @@ TEST(Subsurface, SumIsThatOfItsElements) {
     EXPECT_NEAR(state.displacement[1], sum[halfspace::u_y], u);
     EXPECT_NEAR(state.displacement[2], sum[halfspace::u_z], u);
     const double s = 1e-11;  // MPa
-    EXPECT_NEAR(state.stress.xx, sum[halfspace::s_xx], s);
-    EXPECT_NEAR(state.stress.yy, sum[halfspace::s_yy], s);
-    EXPECT_NEAR(state.stress.zz, sum[halfspace::s_zz], s);
-    EXPECT_NEAR(state.stress.xy, sum[halfspace::s_xy], s);
-    EXPECT_NEAR(state.stress.yz, sum[halfspace::s_yz], s);
-    EXPECT_NEAR(state.stress.xz, sum[halfspace::s_xz], s);
+    EXPECT_NEAR(state.stress[xx], sum[halfspace::s_xx], s);
+    EXPECT_NEAR(state.stress[yy], sum[halfspace::s_yy], s);
+    EXPECT_NEAR(state.stress[zz], sum[halfspace::s_zz], s);
+    EXPECT_NEAR(state.stress[xy], sum[halfspace::s_xy], s);
+    EXPECT_NEAR(state.stress[yz], sum[halfspace::s_yz], s);
+    EXPECT_NEAR(state.stress[xz], sum[halfspace::s_xz], s);
   }
 }
 
@@ -107,10 +109,10 @@ TEST(Subsurface, TractionsPassFromOneBodyToTheOther) {
   for (const LoadedBody& body : {wheel, rail}) {
     const auto layer = plane(body, body.grid, 0.0);
     for (int k = 0; k < body.grid.size(); ++k) {
-      const contact::Stress& stress = layer.states[static_cast<std::size_t>(k)].stress;
-      EXPECT_NEAR(stress.zz, -body.traction.n[k], 1e-10);
-      EXPECT_NEAR(stress.xz, -body.traction.x[k], 1e-10);
-      EXPECT_NEAR(stress.yz, -body.traction.y[k], 1e-10);
+      const contact::SymmetricTensor& stress = layer.states[static_cast<std::size_t>(k)].stress;
+      EXPECT_NEAR(stress[zz], -body.traction.n[k], 1e-10);
+      EXPECT_NEAR(stress[xz], -body.traction.x[k], 1e-10);
+      EXPECT_NEAR(stress[yz], -body.traction.y[k], 1e-10);
     }
   }
 }
