@@ -90,9 +90,9 @@ Stresses::Lists Stresses::lists(const SubsurfaceRequest& request, std::size_t nu
       place = body.below(place[0], place[1], request.depth);
     const auto at = body.coordinates(place);
     const auto refuse = [&](const std::string& why) {
-      throw contact::InputError(
-          fmt::format("{}: request {} for stresses: ({:.6g}, {:.6g}, {:.6g}) mm is {}", scene_.file,
-                      number + 1, place[0], place[1], place[2], why));
+      throw contact::InputError(scene_.where(),
+                                "request {} for stresses: ({:.6g}, {:.6g}, {:.6g}) mm is {}",
+                                number + 1, place[0], place[1], place[2], why);
     };
     if (!(at.spread > BelowSurface::least_spread))
       refuse(

@@ -4,7 +4,6 @@
 
 #include "fem/discretisation/elastic_problem.hpp"
 #include "fem/mesh/body_mesh.hpp"
-#include "fem/mesh/coarse_mesh.hpp"
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
@@ -21,37 +20,28 @@ const BoundaryConditions conditions{{far_boundary}, {{symmetry_plane, 1}}};
 }  // namespace
 
 Body::Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
-           MPI_Comm communicator)
+           MPI_Comm communicator, const std::function<void(Body&)>& make)
     : shape_(shape),
       material_(material),
       options_(options),
       triangulation_(communicator),
       mapping_(std::max(2, options.degree)),
       dofs_(triangulation_) {
-  make_mesh(shape, options, triangulation_);
-  distribute();
-}
-
-Body::Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
-           const CoarseBody& coarse, MPI_Comm communicator)
-    : shape_(shape),
-      material_(material),
-      options_(options),
-      triangulation_(communicator),
-      mapping_(std::max(2, options.degree)),
-      dofs_(triangulation_) {
-  refine_coarse_mesh(shape, options, coarse, mapping_, triangulation_);
-  distribute();
-}
-
-void Body::distribute() {
-  dofs_.distribute_dofs(dealii::FESystem<3>(dealii::FE_Q<3>(options_.degree), 3));
+  make(*this);
+  dofs_.distribute_dofs(dealii::FESystem<3>(dealii::FE_Q<3>(options.degree), 3));
   constraints_ = make_constraints(dofs_, mapping_, conditions);
 }
 
-meshes::HexMesh Body::coarse_mesh() const {
-  return hex_mesh(triangulation_);
-}
+Body::Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
+           MPI_Comm communicator)
+    : Body(shape, material, options, communicator,
+           [&](Body& body) { make_mesh(shape, options, body.triangulation_); }) {}
+
+Body::Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
+           const CoarseBody& coarse, MPI_Comm communicator)
+    : Body(shape, material, options, communicator, [&](Body& body) {
+        refine_coarse_mesh(shape, options, coarse, body.mapping_, body.triangulation_);
+      }) {}
 
 ElasticProblem Body::problem() const {
   ElasticProblem problem{dofs_,      mapping_,  constraints_,

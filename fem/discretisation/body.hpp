@@ -12,6 +12,7 @@
 #include <deal.II/fe/mapping_q.h>
 
 #include <array>
+#include <functional>
 #include <mpi.h>
 
 namespace rollfem::fem {
@@ -42,11 +43,10 @@ class Body {
   const dealii::AffineConstraints<double>& constraints() const { return constraints_; }
   ElasticProblem problem() const;
   dealii::types::global_dof_index unknowns() const { return dofs_.n_dofs(); }
-  /// The mesh before refinement, the same on every process.
-  meshes::HexMesh coarse_mesh() const;
 
  private:
-  void distribute();
+  Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
+       MPI_Comm communicator, const std::function<void(Body&)>& make_mesh);
 
   SurfaceShape shape_;
   contact::Material material_;

@@ -39,16 +39,13 @@ std::unique_ptr<Body> imported_body(const contact::Scene& scene, const std::stri
       communicator, [&] { return user_mesh(path.string(), name, shape, options); });
   options.half = coarse.mesh.half();
   if (options.half && !case_is_symmetric)
-    throw contact::InputError(
-        fmt::format("{}: half a body (it has a group `symmetry`) allows neither lateral creepage "
-                    "nor spin; do: mesh the whole body, or set both to 0",
-                    name));
+    throw contact::InputError({name},
+                              "half a body (it has a group `symmetry`) allows neither lateral "
+                              "creepage nor spin; do: mesh the whole body, or set both to 0");
   options.extent = distance_to_fixed(coarse.mesh);
-  try {
+  return contact::at_place({name}, [&] {
     return std::make_unique<Body>(shape, material, options, coarse, communicator);
-  } catch (const contact::InputError& error) {
-    throw contact::InputError(fmt::format("{}: {}", name, error.what()));
-  }
+  });
 }
 
 constexpr double default_rim_thickness = 65.0;  // mm
@@ -70,15 +67,13 @@ std::unique_ptr<Body> section_body(const contact::Scene& scene, const SurfaceSha
                                    const contact::Material& material, BodyOptions options,
                                    MPI_Comm communicator) {
   options.depth.reset();
-  try {
+  return contact::at_place(scene.where(), [&] {
     const meshes::TrueSection section = section_of(scene, shape.is_wheel);
     const CoarseBody coarse =
         on_all_processes(communicator, [&] { return true_section_mesh(section, shape, options); });
     options.extent = distance_to_fixed(coarse.mesh);
     return std::make_unique<Body>(shape, material, options, coarse, communicator);
-  } catch (const contact::InputError& error) {
-    throw contact::InputError(fmt::format("{}: {}", scene.file, error.what()));
-  }
+  });
 }
 
 std::string section_note(const contact::Scene& scene) {
@@ -99,11 +94,11 @@ std::string section_note(const contact::Scene& scene) {
 void check_far_boundary(const contact::Scene& scene) {
   if (has_true_sections(scene) &&
       scene.options.fem.far_boundary == contact::FarBoundary::point_load)
-    throw contact::InputError(fmt::format(
-        "{}: fem.far_boundary = \"point_load\" moves the far boundary like that of a half-space, "
+    throw contact::InputError(
+        scene.where(),
+        "fem.far_boundary = \"point_load\" moves the far boundary like that of a half-space, "
         "which does not suit true sections with free sides; allowed with profiles: \"clamped\"; "
-        "do: remove it, or use boxes on the surface ([fem] mesh = \"structured\")",
-        scene.file));
+        "do: remove it, or use boxes on the surface ([fem] mesh = \"structured\")");
 }
 
 SurfaceShape surface_shape(const contact::Scene& scene, bool is_wheel) {

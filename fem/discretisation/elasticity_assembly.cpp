@@ -332,8 +332,4 @@ std::vector<SymmetricMatrix> assemble(const ElasticProblem& problem,
   return matrices;
 }
 
-SymmetricMatrix assemble(const ElasticProblem& problem, const FreeUnknowns& unknowns) {
-  return std::move(assemble(problem, std::vector<const FreeUnknowns*>{&unknowns}).front());
-}
-
 }  // namespace rollfem::fem

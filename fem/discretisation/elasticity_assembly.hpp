@@ -3,7 +3,6 @@
 // unknowns (constraints eliminated) in compressed columns. One process only.
 #pragma once
 
-#include "fem/discretisation/cell_terms.hpp"
 #include "fem/discretisation/elastic_problem.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -17,8 +16,8 @@ namespace rollfem::fem {
 
 /// K_ab,ij = int lambda P(dN_a/dx_i) P(dN_b/dx_j) + mu dN_a/dx_j dN_b/dx_i + delta_ij (mu grad
 /// N_a.grad N_b - rho (v.grad N_a)(v.grad N_b)) for FE_Q(degree)^3, with the projection P (or the
-/// identity) and the flow v of cell_terms.hpp; unknowns numbered as in the deal.II cell. Reuses its
-/// buffers from cell to cell.
+/// identity) and the flow v of elastic_problem.hpp; unknowns numbered as in the deal.II cell.
+/// Reuses its buffers from cell to cell.
 class CellStiffness {
  public:
   explicit CellStiffness(const ElasticProblem& problem);
@@ -90,9 +89,8 @@ struct SymmetricMatrix {
   void multiply(const std::vector<double>& x, std::vector<double>& y) const;
 };
 
-/// C^T K C, with K of the selected cells.
-SymmetricMatrix assemble(const ElasticProblem& problem, const FreeUnknowns& unknowns);
-/// The same for several sets of unknowns: the stiffness of a cell is computed once for all.
+/// C^T K C, with K of the selected cells, for each set of unknowns: the stiffness of a cell is
+/// computed once for all.
 std::vector<SymmetricMatrix> assemble(const ElasticProblem& problem,
                                       const std::vector<const FreeUnknowns*>& unknowns);
 

@@ -2,7 +2,7 @@
 #include "fem/discretisation/elasticity_operator.hpp"
 
 #include "base/threads.hpp"
-#include "fem/discretisation/cell_terms.hpp"
+#include "fem/discretisation/elastic_problem.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
 #include "fem/discretisation/local_cells.hpp"
 

@@ -23,6 +23,11 @@ namespace rollfem::fem {
 struct MatrixEntry {
   unsigned int row, column;
   double value;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int /*version*/) {
+    archive& row& column& value;
+  }
 };
 
 /// Number of cell-vector products computed by this process so far, on all levels: a measure of work

@@ -3,7 +3,7 @@
 
 #include "base/errors.hpp"
 #include "base/threads.hpp"
-#include "fem/discretisation/cell_terms.hpp"
+#include "fem/discretisation/elastic_problem.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>

@@ -3,7 +3,7 @@
 
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/solver_choice.hpp"
-#include "fem/mesh/chart.hpp"
+#include "fem/mesh/coarse_mesh.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "meshes/hex_mesh.hpp"
 #include "meshes/msh_file.hpp"
@@ -87,7 +87,7 @@ contact::BodyField field_of(const std::vector<Corners>& cells, const std::string
 MeshedBody report(const Body& body, const std::string& name) {
   MeshedBody result;
   result.name = name;
-  const meshes::HexMesh coarse = body.coarse_mesh();
+  const meshes::HexMesh coarse = hex_mesh(body.triangulation());
   result.coarse_cells = static_cast<long>(coarse.cells.size());
   result.unknowns = static_cast<long>(body.unknowns());
   result.levels = static_cast<int>(body.triangulation().n_global_levels()) - 1;

@@ -110,6 +110,7 @@ class SharedLevel {
   }
 
   void execute(const RootProcess::Command& command);
+  void solve_contact();
   /// By the first load point that needs them.
   void prepare() {
     std::call_once(prepared_, [&] {
@@ -158,64 +159,54 @@ class SharedLevel {
   std::unique_ptr<StressOutput> stresses_;
 };
 
-/// Solved by the root process for the contact problem; all processes take part in prepare(),
-/// compliance() and complete().
-class LevelElasticity : public contact::Elasticity {
+/// Finite elements of all processes and the layer between the bodies, for the contact problem of
+/// the root process; all take part in prepare(), respond() and complete().
+class LevelElasticity : public contact::Elasticity, private contact::Compliance {
  public:
-  explicit LevelElasticity(std::shared_ptr<SharedLevel> level) : level_(std::move(level)) {}
+  explicit LevelElasticity(SharedLevel& level) : level_(level) {}
 
   void prepare() override {
-    level_->prepare();
-    own_ = std::make_unique<FemCompliance>(*level_->compliance);
-    level_->let_yield(*own_);
+    level_.prepare();
+    own_ = std::make_unique<FemCompliance>(*level_.compliance);
+    level_.let_yield(*own_);
   }
-  const contact::Compliance& compliance() const override { return together_; }
-  const contact::SolvableCompliance& halfspace() const override { return *level_->half; }
+  const contact::Compliance& compliance() const override { return *this; }
+  const contact::SolvableCompliance& halfspace() const override { return *level_.half; }
   const contact::Compliance* coupled_halfspace() const override {
-    return level_->coupled_half.get();
+    return level_.coupled_half.get();
   }
   contact::Field extra_distance() const override {
-    return level_->expansion ? level_->expansion->distance : contact::Field();
+    return level_.expansion ? level_.expansion->distance : contact::Field();
   }
   contact::TangentialField extra_slip() const override {
-    return level_->expansion ? level_->expansion->slip : contact::TangentialField();
+    return level_.expansion ? level_.expansion->slip : contact::TangentialField();
   }
   Eigen::Vector2d rolling_stiffness(const PatchSize& patch) const override {
-    return halfspace::rolling_stiffness(patch, level_->scene.material);
+    return halfspace::rolling_stiffness(patch, level_.scene.material);
   }
   Eigen::Vector2d shift_stiffness(const PatchSize& patch) const override {
-    return halfspace::shift_stiffness(patch, level_->scene.material);
+    return halfspace::shift_stiffness(patch, level_.scene.material);
   }
-  std::string memory() const override { return level_->memory(); }
-  void restore(const std::string& memory) override { level_->restore(memory); }
-  void complete(std::size_t k, PointResult& point) override { level_->complete(*own_, k, point); }
+  std::string memory() const override { return level_.memory(); }
+  void restore(const std::string& memory) override { level_.restore(memory); }
+  void complete(std::size_t k, PointResult& point) override { level_.complete(*own_, k, point); }
 
  private:
-  /// Finite elements of all processes, and the layer between the bodies.
-  class Together : public contact::Compliance {
-   public:
-    explicit Together(const LevelElasticity& elasticity) : elasticity_(elasticity) {}
-    const contact::ContactGrid& grid() const override { return elasticity_.level_->layout.grid; }
-    contact::SurfaceField apply(const contact::SurfaceField& traction) const override {
-      return respond(traction).displacement;
-    }
-    contact::Response respond(const contact::SurfaceField& traction) const override {
-      const SharedLevel& level = *elasticity_.level_;
-      contact::Response response;
-      level.root.call(Task{Action::respond, traction}.command(),
-                      [&] { response = elasticity_.own_->respond(traction); });
-      response.displacement.x += level.scene.material.layer * traction.x;
-      response.displacement.y += level.scene.material.layer * traction.y;
-      return response;
-    }
+  const contact::ContactGrid& grid() const override { return level_.layout.grid; }
+  contact::SurfaceField apply(const contact::SurfaceField& traction) const override {
+    return respond(traction).displacement;
+  }
+  contact::Response respond(const contact::SurfaceField& traction) const override {
+    contact::Response response;
+    level_.root.call(Task{Action::respond, traction}.command(),
+                     [&] { response = own_->respond(traction); });
+    response.displacement.x += level_.scene.material.layer * traction.x;
+    response.displacement.y += level_.scene.material.layer * traction.y;
+    return response;
+  }
 
-   private:
-    const LevelElasticity& elasticity_;
-  };
-
-  std::shared_ptr<SharedLevel> level_;
+  SharedLevel& level_;
   std::unique_ptr<FemCompliance> own_;
-  Together together_{*this};
 };
 
 void SharedLevel::execute(const RootProcess::Command& command) {
@@ -376,14 +367,12 @@ void refuse_further_patches(const Scene& scene, const contact::ChartedGeometry& 
   }
 }
 
-/// The part of the root process: everything except the collective work of SharedLevel.
-void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
-                   const RunLayout& layout, const LevelOptions& options,
-                   const contact::Progress& progress, const std::shared_ptr<SharedLevel>& shared,
-                   contact::ModelResult& result) {
+/// The part of the root process: everything except the collective work.
+void SharedLevel::solve_contact() {
+  contact::ModelResult& result = result_;
   // Load points with the states from which the next ones start, so that numbers of a resumed run
   // are the same to the last bit.
-  const std::string name = fmt::format("fem-{:.9g}mm", options.cell_size);
+  const std::string name = fmt::format("fem-{:.9g}mm", options_.cell_size);
   contact::Response first_defect;
   /// Writes or reads the frictionless solution and the data of the level as a whole.
   const auto start = [&](contact::Record& record) {
@@ -393,44 +382,45 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
   };
   const contact::ModelResult before = result;
   const bool stored =
-      options.checkpoint != nullptr &&
-      contact::found(*options.checkpoint, name + "-normal", start, layout.grid.size());
+      options_.checkpoint != nullptr &&
+      contact::found(*options_.checkpoint, name + "-normal", start, layout.grid.size());
   if (!stored) {
     result = before;
     first_defect = {};
   }
   contact::RunOptions run_options;
   run_options.model = "fem";
-  run_options.stage_prefix = options.stage_prefix;
+  run_options.stage_prefix = options_.stage_prefix;
   run_options.accuracy = run_options.force_accuracy = fem_accuracy;
   run_options.force_tolerance = force_tolerance;
   run_options.independent = !scene.is_history() && !scene.load_changes() && !scene.yields();
-  const auto make = [&] { return std::make_unique<LevelElasticity>(shared); };
+  const auto make = [&] { return std::make_unique<LevelElasticity>(*this); };
   std::optional<contact::PointStore> store;
   // What several processes know of bodies that yield is not collected.
   const bool collected =
       !scene.yields() || dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
-  if (options.checkpoint != nullptr && collected) store.emplace(*options.checkpoint, name, stored);
+  if (options_.checkpoint != nullptr && collected)
+    store.emplace(*options_.checkpoint, name, stored);
   if (!stored) {
-    contact::ContactRun run(scene, geometry, run_options, progress, nullptr);
+    contact::ContactRun run(scene, geometry_, run_options, progress_, nullptr);
     run.on_first_defect = [&](const contact::Response& defect, int contact_elements) {
       first_defect = defect;
       result.contact_elements = contact_elements;
-      if (options.checkpoint == nullptr) return;
+      if (options_.checkpoint == nullptr) return;
       contact::Record record;
       start(record);
-      options.checkpoint->keep(name + "-normal", record.bytes());
+      options_.checkpoint->keep(name + "-normal", record.bytes());
     };
     run.solve_without_friction(layout.grid, make);
     result.seconds["normal"] = run.take_result().normal_seconds;
   }
   run_options.first_defect = first_defect;
-  run_options.most_beside = shared->most_beside();
-  auto solved = contact::solve_points(scene, geometry, run_options, progress,
+  run_options.most_beside = most_beside();
+  auto solved = contact::solve_points(scene, geometry_, run_options, progress_,
                                       store ? &*store : nullptr, layout.grid, make);
-  if (!solved) refuse_border(scene, geometry, layout.grid);
+  if (!solved) refuse_border(scene, geometry_, layout.grid);
   contact::LevelResult level = *std::move(solved);
-  refuse_further_patches(scene, geometry, layout.grid, level.points);
+  refuse_further_patches(scene, geometry_, layout.grid, level.points);
   contact::warn_of_steep_friction(level, scene.friction(), result.notes);
   result.points = std::move(level.points);
   for (const contact::YieldedSection& section : result.points.back().yielded)
@@ -450,10 +440,11 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
   result.name = "fem";
   result.grid = layout.grid;
   RootProcess root(MPI_COMM_WORLD);
-  const auto shared =
-      std::make_shared<SharedLevel>(scene, geometry, layout, options, progress, root, result);
-  root.run([&] { solve_contact(scene, geometry, layout, options, progress, shared, result); },
-           [&](const RootProcess::Command& command) { shared->execute(command); });
+  {
+    SharedLevel shared(scene, geometry, layout, options, progress, root, result);
+    root.run([&] { shared.solve_contact(); },
+             [&](const RootProcess::Command& command) { shared.execute(command); });
+  }
   contact::place_pass_work(geometry, scene.place, result);
   return result;
 }

@@ -95,10 +95,10 @@ Teuchos::ParameterList parameters(Epetra_MultiVector& modes) {
 
 class AlgebraicMultigrid : public LinearSolver {
  public:
-  AlgebraicMultigrid(const ElasticProblem& problem, const AlgebraicOptions& options)
+  AlgebraicMultigrid(const ElasticProblem& problem, const IterationLimits& limits)
       : constraints_(problem.constraints),
         dofs_(problem.dofs),
-        options_(options),
+        limits_(limits),
         with_masters_(relevant_dofs(problem.dofs)) {
     for (const auto i : dofs_.locally_owned_dofs())
       if (const auto* entries = constraints_.get_constraint_entries(i))
@@ -120,21 +120,21 @@ class AlgebraicMultigrid : public LinearSolver {
     const Vector load = condensed(b);
     Vector x(owned, dofs_.get_communicator());
     const double scale = load.l2_norm();
-    dealii::SolverControl control(static_cast<unsigned int>(options_.max_iterations),
-                                  options_.tolerance * scale);
+    dealii::SolverControl control(static_cast<unsigned int>(limits_.max_iterations),
+                                  limits_.tolerance * scale);
     try {
       if (scale > 0) dealii::SolverCG<Vector>(control).solve(matrix_, x, load, preconditioner_);
     } catch (const dealii::SolverControl::NoConvergence& failure) {
       throw contact::SolveError(fmt::format(
           "algebraic multigrid: relative residual {:.2e} after {} iterations, required {:.1e}",
-          failure.last_residual / scale, failure.last_step, options_.tolerance));
+          failure.last_residual / scale, failure.last_step, limits_.tolerance));
     }
     iterations_ = scale > 0 ? static_cast<int>(control.last_step()) : 0;
     // The recursive residual may have drifted from the true one.
     Vector residual(x);
     matrix_.vmult(residual, x);
     residual.sadd(-1.0, 1.0, load);
-    if (!(residual.l2_norm() <= 10 * options_.tolerance * scale))
+    if (!(residual.l2_norm() <= 10 * limits_.tolerance * scale))
       throw contact::SolveError(fmt::format("algebraic multigrid: the true residual is {:.2e}",
                                             residual.l2_norm() / scale));
     u.zero_out_ghost_values();
@@ -169,7 +169,7 @@ class AlgebraicMultigrid : public LinearSolver {
 
   const dealii::AffineConstraints<double>& constraints_;
   const dealii::DoFHandler<3>& dofs_;
-  AlgebraicOptions options_;
+  IterationLimits limits_;
   dealii::IndexSet with_masters_;  ///< relevant unknowns, and masters of the owned ones
   dealii::TrilinosWrappers::SparseMatrix matrix_;
   dealii::TrilinosWrappers::PreconditionAMG preconditioner_;
@@ -179,8 +179,8 @@ class AlgebraicMultigrid : public LinearSolver {
 }  // namespace
 
 std::unique_ptr<LinearSolver> make_algebraic_multigrid(const ElasticProblem& problem,
-                                                       const AlgebraicOptions& options) {
-  return std::make_unique<AlgebraicMultigrid>(problem, options);
+                                                       const IterationLimits& limits) {
+  return std::make_unique<AlgebraicMultigrid>(problem, limits);
 }
 
 }  // namespace rollfem::fem

@@ -8,13 +8,8 @@
 
 namespace rollfem::fem {
 
-struct AlgebraicOptions {
-  double tolerance = 1e-8;  ///< residual relative to the right-hand side
-  int max_iterations = 500;
-};
-
 /// Any number of MPI processes; collective. Throws contact::SolveError when memory runs out.
 std::unique_ptr<LinearSolver> make_algebraic_multigrid(const ElasticProblem& problem,
-                                                       const AlgebraicOptions& options = {});
+                                                       const IterationLimits& limits = {});
 
 }  // namespace rollfem::fem

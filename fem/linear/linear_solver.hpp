@@ -11,6 +11,12 @@
 
 namespace rollfem::fem {
 
+/// When an iterative solver ends.
+struct IterationLimits {
+  double tolerance = 1e-8;  ///< residual relative to the right-hand side
+  int max_iterations = 500;
+};
+
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;

@@ -41,12 +41,12 @@ class MultigridLevel {
   struct Work {
     FloatVector solution, right, product, before;
   };
-  MultigridLevel(const LocalCells& cells, std::unique_ptr<LevelTransfer> to_coarser,
-                 int smoother_degree);
+  MultigridLevel(const LocalCells& cells, std::unique_ptr<LevelTransfer> to_coarser);
   Work make_work() const;
   /// The Chebyshev iteration (Saad, Iterative Methods for Sparse Linear Systems, algorithm 12.1)
-  /// towards K^-1 right for the eigenvalues of D^-1 K in the range of the smoother, `degree`
-  /// products; from a solution of zero one of them is saved, and `solution` need not be set.
+  /// towards K^-1 right for the eigenvalues of D^-1 K in the range of the smoother,
+  /// `smoother_degree` products; from a solution of zero one of them is saved, and `solution` need
+  /// not be set.
   void smooth(Work& at, bool from_zero) const;
   /// Sets the right-hand side of the next coarser level to the restricted residual.
   void restrict_residual(Work& at, FloatVector& coarser) const;
@@ -60,9 +60,11 @@ class MultigridLevel {
   ElasticityOperator<float> stiffness_;
   std::unique_ptr<LevelTransfer> to_coarser_;
   FloatVector inverse_diagonal_;
-  int degree_;
   double middle_ = 0.0, half_width_ = 0.0;  ///< of the range of eigenvalues
 };
+
+/// Matrix products before, and again after, the coarse correction.
+constexpr int smoother_degree = 6;
 
 /// Ratio of largest to smallest damped eigenvalue for one degree of the polynomial. Isotropic cells
 /// need less; with the cells of aspect 3 that graded meshes have, wider ranges save a third of the
@@ -106,14 +108,12 @@ double largest_eigenvalue(const ElasticityOperator<float>& stiffness, const Floa
   return largest;
 }
 
-MultigridLevel::MultigridLevel(const LocalCells& cells, std::unique_ptr<LevelTransfer> to_coarser,
-                               int smoother_degree)
+MultigridLevel::MultigridLevel(const LocalCells& cells, std::unique_ptr<LevelTransfer> to_coarser)
     : stiffness_(cells, straightened),
       to_coarser_(std::move(to_coarser)),
-      inverse_diagonal_(stiffness_.inverse_diagonal()),
-      degree_(std::max(smoother_degree, 1)) {
+      inverse_diagonal_(stiffness_.inverse_diagonal()) {
   const double largest = largest_eigenvalue(stiffness_, inverse_diagonal_);
-  const double smallest = largest / (range_per_degree * degree_);
+  const double smallest = largest / (range_per_degree * smoother_degree);
   middle_ = 0.5 * (largest + smallest);
   half_width_ = 0.5 * (largest - smallest);
 }
@@ -152,7 +152,7 @@ void MultigridLevel::smooth(Work& at, bool from_zero) const {
     advance(at, 0.0, first_step);
   }
   double along = half_width_ / middle_;
-  for (int k = 1; k < degree_; ++k) {
+  for (int k = 1; k < smoother_degree; ++k) {
     const double next = 1.0 / (2.0 * middle_ / half_width_ - along);
     advance(at, next * along, 2.0 * next / half_width_);
     along = next;
@@ -181,21 +181,6 @@ struct GatherLayout {
   }
 };
 
-/// The contributions of all processes, gathered on the root process.
-std::vector<MatrixEntry> gather(const std::vector<MatrixEntry>& mine, MPI_Comm communicator) {
-  const GatherLayout layout(mine.size(), communicator);
-  if (layout.counts.size() == 1) return mine;
-  MPI_Datatype entry;
-  MPI_Type_contiguous(sizeof(MatrixEntry), MPI_BYTE, &entry);
-  MPI_Type_commit(&entry);
-  std::vector<MatrixEntry> all(
-      dealii::Utilities::MPI::this_mpi_process(communicator) == 0 ? layout.sum() : 0);
-  MPI_Gatherv(mine.data(), static_cast<int>(mine.size()), entry, all.data(), layout.counts.data(),
-              layout.offsets.data(), entry, 0, communicator);
-  MPI_Type_free(&entry);
-  return all;
-}
-
 /// Direct solution on the coarsest level, where iterations fail on the stretched cells of a graded
 /// mesh: its matrix is gathered and factorised on the root process.
 class CoarseSolver {
@@ -219,8 +204,13 @@ class CoarseSolver {
 CoarseSolver::CoarseSolver(const std::vector<MatrixEntry>& entries, std::size_t owned,
                            MPI_Comm communicator)
     : communicator_(communicator) {
-  const std::vector<MatrixEntry> all = gather(entries, communicator);
   GatherLayout layout(owned, communicator);
+  std::vector<MatrixEntry> all = entries;
+  if (layout.counts.size() > 1) {
+    all.clear();
+    for (const auto& part : dealii::Utilities::MPI::gather(communicator, entries, 0))
+      all.insert(all.end(), part.begin(), part.end());
+  }
   RootProcess(communicator).run([&] {
     size_ = layout.sum();
     factor_ = std::make_unique<CholeskyFactor>(
@@ -312,7 +302,7 @@ class Discretisation {
 
 class Multigrid : public LinearSolver {
  public:
-  Multigrid(const ElasticProblem& problem, const MultigridOptions& options);
+  Multigrid(const ElasticProblem& problem, const IterationLimits& limits);
 
   void solve(Vector& u, const Vector& b) const override;
   void solve_all(std::vector<Vector>& u, const std::vector<Vector>& b) const override;
@@ -344,7 +334,7 @@ class Multigrid : public LinearSolver {
   void precondition(Work& work, double norm) const;
   void iterate(Work& work, double target) const;
 
-  MultigridOptions options_;
+  IterationLimits limits_;
   std::unique_ptr<ElasticityOperator<double>> stiffness_;
   std::vector<std::unique_ptr<MultigridLevel>>
       levels_;  ///< from coarse to fine, without the coarsest
@@ -354,8 +344,8 @@ class Multigrid : public LinearSolver {
   mutable std::atomic<int> iterations_{0};
 };
 
-Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& options)
-    : options_(options) {
+Multigrid::Multigrid(const ElasticProblem& problem, const IterationLimits& limits)
+    : limits_(limits) {
   if (problem.material.poisson_ratio > largest_multigrid_poisson_ratio)
     throw contact::InputError(fmt::format(
         "poisson_ratio = {}: multigrid does not converge for nearly incompressible bodies; "
@@ -380,8 +370,7 @@ Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& opti
     discretised[i - 1].reset();
     cells = {};
     cells = discretised[i]->cells();
-    levels_.push_back(
-        std::make_unique<MultigridLevel>(cells, std::move(transfers[i]), options.smoother_degree));
+    levels_.push_back(std::make_unique<MultigridLevel>(cells, std::move(transfers[i])));
   }
   discretised.clear();
   one_at_a_time([&] { meshes.clear(); });
@@ -439,7 +428,7 @@ void Multigrid::precondition(Work& work, double norm) const {
 /// tolerates a preconditioner in single precision (Golub and Ye, SIAM J. Sci. Comput. 21, 1999).
 void Multigrid::iterate(Work& work, double target) const {
   double before = 0.0, step = 0.0;
-  for (; work.iterations < options_.max_iterations; ++work.iterations) {
+  for (; work.iterations < limits_.max_iterations; ++work.iterations) {
     const double norm = norm_of(work.residual);
     if (!(norm > target)) return;
     precondition(work, norm);
@@ -468,7 +457,7 @@ void Multigrid::solve(Vector& u, const Vector& b) const {
   Work& work = *borrowed;
   std::copy_n(b.begin(), work.right.locally_owned_size(), work.right.begin());
   stiffness_->condense(work.right);
-  const double scale = norm_of(work.right), target = options_.tolerance * scale;
+  const double scale = norm_of(work.right), target = limits_.tolerance * scale;
   if (!std::isfinite(scale))
     throw contact::SolveError("multigrid: the load is not a finite number");
   std::fill(work.solution.begin(), work.solution.end(), 0.0);
@@ -487,7 +476,7 @@ void Multigrid::solve(Vector& u, const Vector& b) const {
   if (!(norm <= target))
     throw contact::SolveError(fmt::format(
         "multigrid: relative residual {:.2e} after {} iterations, required {:.1e} ({} unknowns)",
-        norm / scale, work.iterations, options_.tolerance, work.right.size()));
+        norm / scale, work.iterations, limits_.tolerance, work.right.size()));
   stiffness_->distribute(work.solution);
   std::copy(work.solution.begin(), work.solution.end(), u.begin());
   u.update_ghost_values();
@@ -510,8 +499,8 @@ std::string Multigrid::description() const {
 }  // namespace
 
 std::unique_ptr<LinearSolver> make_multigrid(const ElasticProblem& problem,
-                                             const MultigridOptions& options) {
-  return std::make_unique<Multigrid>(problem, options);
+                                             const IterationLimits& limits) {
+  return std::make_unique<Multigrid>(problem, limits);
 }
 
 }  // namespace rollfem::fem

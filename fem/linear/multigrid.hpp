@@ -7,18 +7,12 @@
 
 namespace rollfem::fem {
 
-struct MultigridOptions {
-  double tolerance = 1e-8;  ///< residual relative to the right-hand side
-  int max_iterations = 200;
-  int smoother_degree = 6;  ///< matrix products before, and again after, the coarse correction
-};
-
 /// Larger Poisson's ratios are rejected: point smoothing fails on the nearly singular volumetric
 /// part, and iterations grow without bound.
 inline constexpr double largest_multigrid_poisson_ratio = 0.49;
 
 /// Any number of MPI processes; collective. Throws contact::InputError above that Poisson's ratio.
 std::unique_ptr<LinearSolver> make_multigrid(const ElasticProblem& problem,
-                                             const MultigridOptions& options = {});
+                                             const IterationLimits& limits = {});
 
 }  // namespace rollfem::fem

@@ -95,23 +95,19 @@ bool takes_algebraic(const Scene& scene, const Body& body) {
 
 std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Body& body) {
   // Five digits beyond the tolerance of the contact iteration: 1e-10 took a tenth more iterations.
-  constexpr double tolerance = 1e-9;
-  if (takes_algebraic(scene, body)) {
-    std::unique_ptr<LinearSolver> solver;
-    one_at_a_time([&] { solver = make_algebraic_multigrid(body.problem(), {tolerance}); });
-    return solver;
-  }
-  MultigridOptions options;
-  options.tolerance = tolerance;
-  return make_multigrid(body.problem(), options);
+  constexpr IterationLimits limits{1e-9, 200};
+  if (!takes_algebraic(scene, body)) return make_multigrid(body.problem(), limits);
+  std::unique_ptr<LinearSolver> solver;
+  one_at_a_time([&] { solver = make_algebraic_multigrid(body.problem(), {limits.tolerance}); });
+  return solver;
 }
 
 bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
   switch (scene.options.fem.linear_solver) {
     case contact::LinearSolver::factorisation:
       if (demand.processes > 1)
-        throw contact::InputError(scene.file +
-                                  ": [fem] linear_solver = \"factorisation\" runs in one process "
+        throw contact::InputError(scene.where(),
+                                  "[fem] linear_solver = \"factorisation\" runs in one process "
                                   "only; allowed with mpirun: \"multigrid\", \"algebraic\" or "
                                   "\"automatic\"; do: change it or run without mpirun");
       return true;

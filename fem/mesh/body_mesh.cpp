@@ -2,7 +2,6 @@
 #include "fem/mesh/body_mesh.hpp"
 
 #include "base/errors.hpp"
-#include "fem/mesh/chart.hpp"
 #include "fem/mesh/coarse_mesh.hpp"
 #include "meshes/segment_mesh.hpp"
 
@@ -131,7 +130,7 @@ void make_structured_mesh(const SurfaceShape& shape, const BodyOptions& options,
       [&shape](const dealii::Point<3>& p) { return shape.place(p[0], p[1], std::abs(p[2])); },
       mesh);
   mesh.set_all_manifold_ids(0);
-  mesh.set_manifold(0, SurfaceManifold(shape));
+  mesh.set_manifold(0, surface_manifold(shape));
 }
 
 /// Distance between a cell and the fine region, 0 where they touch or overlap.

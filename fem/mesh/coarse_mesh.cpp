@@ -3,7 +3,7 @@
 
 #include "base/count.hpp"
 #include "base/errors.hpp"
-#include "fem/mesh/chart.hpp"
+#include "fem/mesh/surface_shape.hpp"
 #include "meshes/gmsh_sections.hpp"
 #include "meshes/hex_mesh.hpp"
 #include "meshes/msh_file.hpp"
@@ -248,9 +248,9 @@ void set_manifolds(const SurfaceShape& shape, const std::vector<bool>& follows_s
   const bool everywhere = follows_surface.empty();
   if (!everywhere && shape.is_revolved() && shape.profile) {
     triangulation.set_all_manifold_ids(about_axle);
-    triangulation.set_manifold(about_axle, AxleManifold(shape));
+    triangulation.set_manifold(about_axle, axle_manifold(shape));
   }
-  triangulation.set_manifold(on_surface, SurfaceManifold(shape));
+  triangulation.set_manifold(on_surface, surface_manifold(shape));
   for (const auto& cell : triangulation.cell_iterators_on_level(0))
     if (everywhere ? is_charted(shape, *cell)
                    : follows_surface[static_cast<std::size_t>(cell->index())])

@@ -83,21 +83,22 @@ void fit_to_profiles(const Scene& scene, const PatchBox& patch, BodyOptions& opt
     if (std::min(options.middle - shape.lower_t(), shape.upper_t() - options.middle) <
         options.fine_half_width)
       throw contact::InputError(
-          fmt::format("{}: the patch and the cells around it extend from y = {:.4g} to {:.4g} mm, "
-                      "the profile of the {} can be meshed from {:.4g} to {:.4g} mm, where it ends "
-                      "or becomes too steep for the frame of the patch; do: give a smaller [fem] "
-                      "fine_extent or cell_size, a smaller load, or a longer profile",
-                      scene.file, options.middle - options.fine_half_width,
-                      options.middle + options.fine_half_width, shape.is_wheel ? "wheel" : "rail",
-                      shape.lower_t(), shape.upper_t()));
+          scene.where(),
+          "the patch and the cells around it extend from y = {:.4g} to {:.4g} mm, the profile of "
+          "the {} can be meshed from {:.4g} to {:.4g} mm, where it ends or becomes too steep for "
+          "the frame of the patch; do: give a smaller [fem] fine_extent or cell_size, a smaller "
+          "load, or a longer profile",
+          options.middle - options.fine_half_width, options.middle + options.fine_half_width,
+          shape.is_wheel ? "wheel" : "rail", shape.lower_t(), shape.upper_t());
   if (has_true_sections(scene)) return;
   for (const contact::FreeEnd& end : scene.geometry.surface.profiles->free_ends())
     if (std::abs(end.y - options.middle) < options.fine_half_width)
-      throw contact::InputError(fmt::format(
-          "{}: the {} ends at y = {:.4g} mm, within the cells under the patch (free_ends), and a "
+      throw contact::InputError(
+          scene.where(),
+          "the {} ends at y = {:.4g} mm, within the cells under the patch (free_ends), and a "
           "box of cells cannot end there; allowed: true sections; do: write `mesh = \"gmsh\"` and "
           "a rim_thickness that the bodies have under [fem], or use the model halfspace",
-          scene.file, end.of_wheel ? "wheel" : "rail", end.y));
+          end.of_wheel ? "wheel" : "rail", end.y);
   const double reach =
       std::max({halfspace::gentle_reach(scene, options.middle),
                 halfspace::least_box_reach * patch.larger(), options.fine_half_width});

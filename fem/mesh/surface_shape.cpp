@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Surfaces of wheel and rail: chart coordinates to points and back, local frames, the manifold.
-#include "fem/mesh/chart.hpp"
+#include "fem/mesh/surface_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,22 +115,6 @@ dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const 
           inwards_of(*this) * (back[2] - surface)};
 }
 
-/// Central differences, accurate enough for tangents: meshes need none.
-dealii::DerivativeForm<1, 3, 3> SurfaceShape::gradient(const dealii::Point<3>& chart) const {
-  constexpr double step = 1e-4;  // mm
-  dealii::DerivativeForm<1, 3, 3> gradient;
-  for (unsigned int d = 0; d < 3; ++d) {
-    auto ahead = chart, behind = chart;
-    ahead[d] += step;
-    behind[d] -= step;
-    const auto change =
-        (place(ahead[0], ahead[1], ahead[2]) - place(behind[0], behind[1], behind[2])) /
-        (2.0 * step);
-    for (unsigned int c = 0; c < 3; ++c) gradient[c][d] = change[c];
-  }
-  return gradient;
-}
-
 SurfaceFrame SurfaceShape::frame(double s, double t) const {
   return tilted_frame(s, t, height(t).slope);
 }
@@ -152,33 +136,31 @@ SurfaceFrame SurfaceShape::tilted_frame(double s, double t, double climb) const 
           (tangent * up - normal * along) / length};
 }
 
-std::unique_ptr<dealii::Manifold<3, 3>> SurfaceManifold::clone() const {
-  return std::make_unique<SurfaceManifold>(shape_);
-}
-
-dealii::Point<3> SurfaceManifold::pull_back(const dealii::Point<3>& place) const {
-  return shape_.coordinates(place);
-}
-
-dealii::Point<3> SurfaceManifold::push_forward(const dealii::Point<3>& chart) const {
-  return shape_.place(chart[0], chart[1], chart[2]);
-}
-
-dealii::DerivativeForm<1, 3, 3> SurfaceManifold::push_forward_gradient(
+dealii::DerivativeForm<1, 3, 3> MeansInChart::push_forward_gradient(
     const dealii::Point<3>& chart) const {
-  return shape_.gradient(chart);
+  constexpr double step = 1e-4;  // mm
+  dealii::DerivativeForm<1, 3, 3> gradient;
+  for (unsigned int d = 0; d < 3; ++d) {
+    auto ahead = chart, behind = chart;
+    ahead[d] += step;
+    behind[d] -= step;
+    const auto change = (to_space_(ahead) - to_space_(behind)) / (2.0 * step);
+    for (unsigned int c = 0; c < 3; ++c) gradient[c][d] = change[c];
+  }
+  return gradient;
 }
 
-std::unique_ptr<dealii::Manifold<3, 3>> AxleManifold::clone() const {
-  return std::make_unique<AxleManifold>(wheel_);
+MeansInChart surface_manifold(const SurfaceShape& shape) {
+  return {
+      [shape](const dealii::Point<3>& place) { return shape.coordinates(place); },
+      [shape](const dealii::Point<3>& chart) { return shape.place(chart[0], chart[1], chart[2]); }};
 }
 
-dealii::Point<3> AxleManifold::pull_back(const dealii::Point<3>& place) const {
-  return wheel_.turned_to_section(place);
-}
-
-dealii::Point<3> AxleManifold::push_forward(const dealii::Point<3>& chart) const {
-  return wheel_.turned_about_axle(chart[1], chart[2], chart[0]);
+MeansInChart axle_manifold(const SurfaceShape& wheel) {
+  return {[wheel](const dealii::Point<3>& place) { return wheel.turned_to_section(place); },
+          [wheel](const dealii::Point<3>& chart) {
+            return wheel.turned_about_axle(chart[1], chart[2], chart[0]);
+          }};
 }
 
 }  // namespace rollfem::fem

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The surface of a body: chart coordinates and points in space.
+// The surface of a body: chart coordinates and points in space, the manifold on which every mesh
+// node lies, and the box that a cell occupies in the chart.
 #pragma once
 
 #include "base/profile_drop.hpp"
@@ -9,10 +10,13 @@
 #include <deal.II/base/derivative_form.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
+#include <deal.II/grid/manifold.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
+#include <utility>
 
 namespace rollfem::fem {
 
@@ -74,8 +78,6 @@ struct SurfaceShape {
   dealii::Point<3> place(double s, double t, double depth) const;
   /// Inverse of place(): (s, t, depth).
   dealii::Point<3> coordinates(const dealii::Point<3>& place) const;
-  /// Derivative of place() by (s, t, depth).
-  dealii::DerivativeForm<1, 3, 3> gradient(const dealii::Point<3>& chart) const;
   /// On the surface at (s, t).
   SurfaceFrame frame(double s, double t) const;
   /// The same at a surface with lateral slope dz/dy = `climb` instead of the body's slope (chart
@@ -102,5 +104,53 @@ struct SurfaceShape {
 
 /// Wheel or rail of a patch with true profiles.
 SurfaceShape profile_surface(std::shared_ptr<const contact::PatchGeometry> geometry, bool is_wheel);
+
+/// Means in chart coordinates: new nodes of refined meshes.
+class MeansInChart : public dealii::ChartManifold<3, 3, 3> {
+ public:
+  using Map = std::function<dealii::Point<3>(const dealii::Point<3>&)>;
+  MeansInChart(Map to_chart, Map to_space)
+      : to_chart_(std::move(to_chart)), to_space_(std::move(to_space)) {}
+  std::unique_ptr<dealii::Manifold<3, 3>> clone() const override {
+    return std::make_unique<MeansInChart>(to_chart_, to_space_);
+  }
+  dealii::Point<3> pull_back(const dealii::Point<3>& place) const override {
+    return to_chart_(place);
+  }
+  dealii::Point<3> push_forward(const dealii::Point<3>& chart) const override {
+    return to_space_(chart);
+  }
+  /// Central differences, accurate enough for tangents: meshes need none.
+  dealii::DerivativeForm<1, 3, 3> push_forward_gradient(
+      const dealii::Point<3>& chart) const override;
+
+ private:
+  Map to_chart_, to_space_;
+};
+/// Keeps nodes on the true surface.
+MeansInChart surface_manifold(const SurfaceShape& shape);
+/// Circles about the axle of a wheel, straight lines in its section: for the parts of a body
+/// outside the chart of its surface. Coordinates: angle about the axle (rad), y and z of the point
+/// rotated back to x = 0 (mm).
+MeansInChart axle_manifold(const SurfaceShape& wheel);
+
+/// Extent of a cell in chart coordinates, lower and upper corner.
+struct ChartBox {
+  dealii::Point<3> lower;
+  dealii::Point<3> upper;
+};
+template <class CellOrFace>
+ChartBox chart_box(const SurfaceShape& shape, const CellOrFace& object) {
+  ChartBox box;
+  box.lower = box.upper = shape.coordinates(object->vertex(0));
+  for (unsigned int v = 1; v < object->n_vertices(); ++v) {
+    const auto corner = shape.coordinates(object->vertex(v));
+    for (unsigned int d = 0; d < 3; ++d) {
+      box.lower[d] = std::min(box.lower[d], corner[d]);
+      box.upper[d] = std::max(box.upper[d], corner[d]);
+    }
+  }
+  return box;
+}
 
 }  // namespace rollfem::fem

@@ -98,21 +98,22 @@ YieldedSection PassResults::after_pass(const PassReport& report, const YieldedBo
   fields_.displacement = after.displacement;
   fields_.displacement.update_ghost_values();
   fields_.residual = recovery_.recover(after.displacement);
-  add(-1.0, fields_.too_much, fields_.residual);
+  add(-1.0, fields_.excess, fields_.residual);
   fill_section(after, section);
   return section;
 }
 
 void PassResults::judge(const YieldedBody& after, YieldedSection& section) {
-  // Relative to the yield strain; to the plastic flow of one cycle, what lasts of all further ones
-  // and changes from one cycle to the next; changes of what lasts.
-  constexpr double nothing = 2e-3, closed = 0.05, steady = 0.02, same = 0.1;
+  constexpr double nothing = 2e-3;  // plastic strain of a cycle over the yield strain
+  constexpr double closed = 0.05;   // lasting strain of all further cycles over that of one
+  constexpr double steady = 0.02;   // relative change of the strain from cycle to cycle
+  constexpr double same = 0.1;      // relative change of its lasting part
   const double yield_strain = law_.parameters().yield_stress / (3.0 * law_.shear_modulus());
   const double last_increment = increment_, last_net = net_increment_;
   if (passes_ < cycle_ || cycle_ended())
     std::tie(increment_, net_increment_) = gained(cycle_start_, after.leaving);
   const double change = std::abs(increment_ - last_increment), fall = last_net - net_increment_;
-  // What lasts, wherever it is most, summed over all further cycles if it falls on as it does.
+  // Largest lasting strain, summed over all further cycles as a geometric series.
   const double still_to_come =
       passes_ > cycle_ && fall > 0.0 ? net_increment_ * net_increment_ / fall : contact::infinity;
   YieldVerdict verdict = YieldVerdict::settling;

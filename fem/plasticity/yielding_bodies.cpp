@@ -2,11 +2,10 @@
 #include "fem/plasticity/yielding_bodies.hpp"
 
 #include "base/errors.hpp"
-#include "fem/discretisation/cell_terms.hpp"
-#include "fem/plasticity/limit_state.hpp"
+#include "contact/iteration/anderson.hpp"
+#include "fem/discretisation/elastic_problem.hpp"
 #include "fem/plasticity/pass_results.hpp"
 #include "fem/plasticity/steady_pass.hpp"
-#include "result/record.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +14,51 @@
 #include <utility>
 
 namespace rollfem::fem {
+
+namespace {
+
+/// Weight, MPa, of numbers that follow the others: too small to affect the least-squares fit.
+constexpr double weight_of_followers = 1e-3;
+
+/// Calls visit(number, weight) for every number of a state, that of the vector being weight times
+/// the number of the state.
+template <class Visit>
+void for_each_number(PlasticState& state, const Visit& visit) {
+  for (Deviator& back : state.back)
+    for (double& component : back) visit(component, 1.0);
+  for (double& component : state.strain) visit(component, weight_of_followers);
+  visit(state.accumulated, weight_of_followers);
+}
+
+}  // namespace
+
+void LimitState::approach(const std::vector<Deviator>& residual,
+                          std::vector<PlasticState>& states) {
+  std::vector<double> end;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    end.insert(end.end(), residual[k].begin(), residual[k].end());
+    for_each_number(states[k],
+                    [&](double number, double weight) { end.push_back(weight * number); });
+  }
+  if (cycles_.empty()) cycles_.emplace_back(end.size(), 0.0);
+  cycles_.push_back(end);
+  constexpr int depth = 5;
+  if (cycles_.size() > 2 * (depth + 1)) cycles_.erase(cycles_.begin(), cycles_.begin() + 2);
+  contact::Anderson anderson(depth);
+  Eigen::VectorXd next;
+  const auto vector = [](std::vector<double>& of) {
+    return Eigen::Map<Eigen::VectorXd>(of.data(), static_cast<Eigen::Index>(of.size()));
+  };
+  for (std::size_t k = 0; k < cycles_.size(); k += 2)
+    next = anderson.next(vector(cycles_[k]), vector(cycles_[k + 1]));
+  cycles_.emplace_back(next.begin(), next.end());
+  const double* from = next.data();
+  for (PlasticState& state : states) {
+    from += residual.front().size();
+    for_each_number(state, [&](double& number, double weight) { number = *from++ / weight; });
+    state.accumulated = std::max(state.accumulated, 0.0);
+  }
+}
 
 namespace {
 

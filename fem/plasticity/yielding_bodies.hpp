@@ -6,7 +6,9 @@
 #include "base/errors.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/solver_choice.hpp"
+#include "fem/plasticity/plastic_law.hpp"
 #include "fem/stress/stress_recovery.hpp"
+#include "result/record.hpp"
 #include "result/result.hpp"
 
 #include <array>
@@ -16,6 +18,20 @@
 #include <vector>
 
 namespace rollfem::fem {
+
+/// The state that cycles of passes tend to, by Anderson's method (1965) for the residual stress and
+/// the back stresses behind the load. These decide how the next cycle goes: in ratchetting they
+/// repeat, while plastic strain grows by what causes no stress. It only follows them.
+class LimitState {
+ public:
+  /// Replaces the states that have left a cycle by those with which the next one begins;
+  /// `residual`: stress deviator behind the load on every streamline, MPa.
+  void approach(const std::vector<Deviator>& residual, std::vector<PlasticState>& states);
+  void exchange(contact::Record& record) { record.values(cycles_); }
+
+ private:
+  std::vector<std::vector<double>> cycles_;  ///< state before and behind each, in turn
+};
 
 class YieldingBody;
 
@@ -36,16 +52,16 @@ class YieldingBodies {
   /// elastic displacements; empty for a body that stays elastic. The pass does not count until it
   /// is finished. Throws contact::SolveError.
   std::vector<Vector> respond(const std::vector<Vector>& elastic);
-  /// The pass under the load of these elastic displacements has passed: fills the results of the
-  /// point, and is the state that the next one meets. Throws YieldsBeyondStreamlines.
+  /// Ends the pass under these elastic displacements: fills the results of the point and keeps the
+  /// state for the next pass. Throws YieldsBeyondStreamlines.
   void finish_pass(const std::vector<Vector>& elastic, contact::PointResult& point);
 
-  /// What the next pass starts from, in a single process, as bytes; and going on from it, if there
-  /// is one.
+  /// The state from which the next pass starts as bytes, in a single process; recall() restores it,
+  /// and does nothing without one.
   std::string memory() const;
   void recall(const std::string& memory);
 
-  /// Of the pass that was finished last; body 0 is the wheel. Null: the body stays elastic.
+  /// Fields of the last pass that ended; body 0 is the wheel. Null: the body stays elastic.
   const YieldedFields* fields(std::size_t body) const;
 
  private:

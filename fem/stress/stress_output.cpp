@@ -46,10 +46,6 @@ std::vector<Place> places_of(const SubsurfaceRequest& request, const SurfaceShap
   return places;
 }
 
-std::string section_of(SubsurfaceRequest::Kind kind) {
-  return fmt::format("[[subsurface.{}]]", word_of(kind));
-}
-
 [[noreturn]] void refuse_point(const contact::Scene& scene, std::size_t request, const Place& place,
                                const Body& body, double reach) {
   const bool wheel = scene.subsurface[request].wheel;
@@ -63,14 +59,14 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
                                         "and down from the middle of the patch",
                                         extent);
   throw contact::InputError(
-      fmt::format("{}: {} (request {} of the case): ({:.6g}, {:.6g}, {:.6g}) mm is not in the {}, "
-                  "but {}; allowed: points of the segment, at most {:.3g} mm (one finite element) "
-                  "above a curved surface, which are moved onto it; do: {}",
-                  scene.file, section_of(scene.subsurface[request].kind), request + 1, place[0],
-                  place[1], place[2], wheel ? "wheel" : "rail", where, reach,
-                  above ? "move the points into the body, or follow its surface with "
-                          "[[subsurface.surface]]"
-                        : "request closer points, or give a larger [fem] extent"));
+      scene.where(),
+      "[[subsurface.{}]] (request {} of the case): ({:.6g}, {:.6g}, {:.6g}) mm is not in the {}, "
+      "but {}; allowed: points of the segment, at most {:.3g} mm (one finite element) above a "
+      "curved surface, which are moved onto it; do: {}",
+      word_of(scene.subsurface[request].kind), request + 1, place[0], place[1], place[2],
+      wheel ? "wheel" : "rail", where, reach,
+      above ? "move the points into the body, or follow its surface with [[subsurface.surface]]"
+            : "request closer points, or give a larger [fem] extent");
 }
 
 /// The nodes of a body on the potential contact area, where half of the stress is known: the
@@ -210,7 +206,7 @@ struct StressOutput::Implementation {
     point.error_estimate[fmt::format("energy_norm_{}", part.name)] =
         energy_error(part.body, displacement, stress).relative();
     if (yielded != nullptr)
-      add(-1.0, yielded->too_much, stress);
+      add(-1.0, yielded->excess, stress);
     else
       part.skin->correct(displacement, point.fields.traction, stress);
     if (keep) point.bodies.push_back(values(part, displacement, stress, expansion, yielded));

@@ -3,7 +3,7 @@
 // surface then have the same rule as all others, and hanging nodes need no exception.
 #include "fem/stress/stress_recovery.hpp"
 
-#include "fem/discretisation/cell_terms.hpp"
+#include "fem/discretisation/elastic_problem.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

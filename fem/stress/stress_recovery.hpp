@@ -26,7 +26,7 @@ struct NodalStress {
 struct YieldedFields {
   /// 2 G eps_p less the residual stress before the first pass, MPa, subtracted from the stress of
   /// the total displacement.
-  NodalStress too_much;
+  NodalStress excess;
   NodalStress strain;    ///< plastic
   NodalStress residual;  ///< stress by plastic strain alone
   Vector displacement;   ///< by plastic strain, mm

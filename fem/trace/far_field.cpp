@@ -2,12 +2,15 @@
 #include "fem/trace/far_field.hpp"
 
 #include "base/pi.hpp"
+#include "fem/discretisation/elasticity_assembly.hpp"
 #include "fem/mesh/run_layout.hpp"
-#include "fem/trace/prescribed.hpp"
 #include "halfspace/closed_forms/point_loads.hpp"
 #include "scene/geometry.hpp"
 
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +18,60 @@
 #include <map>
 
 namespace rollfem::fem {
+
+Vector nodal_values(const ElasticProblem& problem, const VectorField::Values& displacement) {
+  Vector nodal = make_vector(problem.dofs);
+  dealii::VectorTools::interpolate(problem.mapping, problem.dofs, VectorField(displacement), nodal);
+  nodal.update_ghost_values();
+  return nodal;
+}
+
+namespace {
+
+/// K u, N, cell by cell, including every term of K and prescribed nodes; constraints are ignored.
+/// `u` with ghost values. Collective.
+Vector internal_forces(const ElasticProblem& problem, const Vector& u) {
+  Vector forces = make_vector(problem.dofs);
+  CellStiffness stiffness(problem);
+  const unsigned int n = problem.dofs.get_fe().dofs_per_cell;
+  dealii::FullMatrix<double> matrix(n, n);
+  dealii::Vector<double> values(n), product(n);
+  for (const auto& cell : problem.dofs.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    cell->get_dof_values(u, values);
+    if (values.all_zero()) continue;
+    matrix.fill(stiffness.compute(cell).data());
+    matrix.vmult(product, values);
+    cell->distribute_local_to_global(product, forces);
+  }
+  forces.compress(dealii::VectorOperation::add);
+  return forces;
+}
+
+}  // namespace
+
+std::vector<Vector> solve_with_prescribed(const ElasticProblem& problem, const LinearSolver& solver,
+                                          const std::vector<Vector>& prescribed,
+                                          const Vector* load) {
+  const auto hanging = make_constraints(problem.dofs, problem.mapping, {});
+  std::vector<Vector> results, residuals;
+  for (const Vector& given : prescribed) {
+    Vector& consistent = results.emplace_back(make_vector(problem.dofs));
+    consistent.copy_locally_owned_data_from(given);
+    hanging.distribute(consistent);
+    consistent.update_ghost_values();
+    residuals.push_back(internal_forces(problem, consistent));
+    residuals.back() *= -1.0;
+    if (load != nullptr) residuals.back() += *load;
+  }
+  std::vector<Vector> corrections(prescribed.size(), make_vector(problem.dofs));
+  solver.solve_all(corrections, residuals);
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    results[k] += corrections[k];
+    results[k].update_ghost_values();
+  }
+  return results;
+}
 
 namespace {
 

@@ -4,10 +4,8 @@
 #include "base/errors.hpp"
 #include "base/threads.hpp"
 #include "fem/linear/root_process.hpp"
-#include "fem/mesh/chart.hpp"
 #include "fem/mesh/chart_face.hpp"
 #include "fem/trace/far_field.hpp"
-#include "fem/trace/middle_displacement.hpp"
 #include "scene/geometry.hpp"
 
 #include <deal.II/base/geometry_info.h>

@@ -9,7 +9,7 @@
 #include "contact/iteration/compliance.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/linear_solver.hpp"
-#include "fem/trace/lattice_deficit.hpp"
+#include "fem/trace/middle_displacement.hpp"
 #include "scene/contact_surface.hpp"
 
 #include <functional>

@@ -1,15 +1,209 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/trace/middle_displacement.hpp"
 
+#include "base/pi.hpp"
+#include "base/threads.hpp"
+#include "fem/discretisation/elasticity_assembly.hpp"
+
+#include <Eigen/Dense>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/tria.h>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdlib>
 #include <utility>
-#include <vector>
 
 namespace rollfem::fem {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::Matrix3cd;
+using Eigen::MatrixXcd;
+
+/// Number of waves along each side, at midpoints of [0, pi]; the kernel is the mean over them and
+/// reaches a third of their period.
+constexpr int waves = 12;
+
+/// Layers of cells, 2^8: the longest wave has decayed to 1e-20 there.
+constexpr int doublings = 8;
+
+/// One column of cells under a contact element, its sides joined with the phase of a wave.
+class Column {
+ public:
+  explicit Column(const Lattice& lattice)
+      : lattice_(lattice), element_(dealii::FE_Q<3>(lattice.degree), 3) {
+    const auto& h = lattice.cell_size;
+    dealii::Triangulation<3> cell;
+    dealii::GridGenerator::hyper_rectangle(cell, {0.0, 0.0, 0.0}, {h[0], h[1], h[2]});
+    dealii::DoFHandler<3> dofs(cell);
+    dofs.distribute_dofs(element_);
+    const dealii::MappingQ<3> mapping(1);
+    dealii::AffineConstraints<double> none;
+    none.close();
+    stiffness_ =
+        CellStiffness({dofs, mapping, none, {}, lattice.material}).compute(dofs.begin_active());
+    const dealii::QGauss<2> rule(static_cast<unsigned int>(lattice.degree + 1));
+    for (unsigned int d = 0; d < element_.dofs_per_cell; ++d) {
+      const dealii::Point<3> place = element_.unit_support_point(d);
+      Unknown unknown{static_cast<int>(element_.system_to_component_index(d).first), {}, 0.0};
+      for (unsigned int k = 0; k < 3; ++k)
+        unknown.step[k] = static_cast<int>(std::lround(place[k] * lattice.degree));
+      for (unsigned int q = 0; q < rule.size() && unknown.step[2] == 0; ++q)
+        unknown.mean += rule.weight(q) *
+                        element_.shape_value(d, {rule.point(q)[0], rule.point(q)[1], 0.0}) /
+                        (lattice.cells * lattice.cells);
+      unknowns_.push_back(unknown);
+    }
+  }
+
+  /// Mean displacement of a contact element under a wave of unit tractions whose phase grows by
+  /// `along_x` and `along_y` from element to element.
+  Matrix3cd response(double along_x, double along_y) const {
+    const int period = lattice_.cells * lattice_.degree;
+    const Index n = 3 * static_cast<Index>(period) * period;
+    MatrixXcd layer = MatrixXcd::Zero((lattice_.degree + 1) * n, (lattice_.degree + 1) * n);
+    MatrixXcd mean = MatrixXcd::Zero(3, n);
+    for (int column = 0; column < lattice_.cells * lattice_.cells; ++column)
+      add_cell(column % lattice_.cells, column / lattice_.cells,
+               {std::polar(1.0, along_x), std::polar(1.0, along_y)}, layer, mean);
+    const double area = std::pow(lattice_.cells, 2) * lattice_.cell_size[0] * lattice_.cell_size[1];
+    return area * mean * surface_stiffness(layer, n).ldlt().solve(mean.adjoint());
+  }
+
+ private:
+  struct Unknown {
+    int component;
+    std::array<int, 3> step;  ///< relative position in the cell; third: 0 at the surface
+    double mean;              ///< weight in the mean over the contact element
+  };
+
+  void add_cell(int cell_x, int cell_y, const std::array<Complex, 2>& wave, MatrixXcd& layer,
+                MatrixXcd& mean) const {
+    const int period = lattice_.cells * lattice_.degree;
+    std::vector<Index> place;
+    std::vector<Complex> phase;
+    for (const Unknown& u : unknowns_) {
+      const int x = cell_x * lattice_.degree + u.step[0];
+      const int y = cell_y * lattice_.degree + u.step[1];
+      phase.push_back((x == period ? wave[0] : 1.0) * (y == period ? wave[1] : 1.0));
+      const Index node =
+          (static_cast<Index>(u.step[2]) * period + y % period) * period + x % period;
+      place.push_back(3 * node + u.component);
+      if (u.step[2] == 0) mean(u.component, place.back()) += u.mean * phase.back();
+    }
+    const std::size_t count = unknowns_.size();
+    for (std::size_t a = 0; a < count; ++a)
+      for (std::size_t b = 0; b < count; ++b)
+        layer(place[a], place[b]) += std::conj(phase[a]) * stiffness_[a * count + b] * phase[b];
+  }
+
+  /// Stiffness of the upper nodes of all layers, with the lowest nodes fixed: nodes in between are
+  /// eliminated, and two equal stacks form the next one.
+  static MatrixXcd surface_stiffness(const MatrixXcd& layer, Index n) {
+    const Index inner = layer.rows() - 2 * n;
+    const Index low = layer.rows() - n;
+    MatrixXcd top = layer.topLeftCorner(n, n);
+    MatrixXcd coupling = layer.block(0, low, n, n);
+    MatrixXcd bottom = layer.block(low, low, n, n);
+    if (inner > 0) {
+      const auto to_top = layer.block(0, n, n, inner);
+      const auto to_bottom = layer.block(low, n, n, inner);
+      const auto within = layer.block(n, n, inner, inner).eval().ldlt();
+      const MatrixXcd from_top = within.solve(to_top.adjoint());
+      const MatrixXcd from_bottom = within.solve(to_bottom.adjoint());
+      top -= to_top * from_top;
+      coupling -= to_top * from_bottom;
+      bottom -= to_bottom * from_bottom;
+    }
+    for (int k = 0; k < doublings; ++k) {
+      const auto between = (bottom + top).eval().ldlt();
+      const MatrixXcd from_above = between.solve(coupling.adjoint());
+      const MatrixXcd from_below = between.solve(coupling);
+      top -= coupling * from_above;
+      bottom -= coupling.adjoint() * from_below;
+      coupling = (-coupling * from_below).eval();
+    }
+    return top;
+  }
+
+  Lattice lattice_;
+  dealii::FESystem<3> element_;
+  std::vector<double> stiffness_;
+  std::vector<Unknown> unknowns_;
+};
+
+double sinc(double x) {
+  return x == 0.0 ? 1.0 : std::sin(x) / x;
+}
+
+/// The same for the half-space (Cerruti and Boussinesq in wave numbers: 1/(G k) times 1 - nu k_x^2
+/// / k^2, 1 - nu k_y^2/k^2, -nu k_x k_y/k^2 and 1 - nu): the wave on the elements is a sum of
+/// waves, each with the same factor in the mean as in the load.
+ElementResponse halfspace_response(const Lattice& lattice, double along_x, double along_y) {
+  constexpr int shorter = 60;
+  const double nu = lattice.material.poisson_ratio;
+  const double element_x = lattice.cells * lattice.cell_size[0];
+  const double element_y = lattice.cells * lattice.cell_size[1];
+  ElementResponse sum;
+  for (int n = -shorter; n <= shorter; ++n)
+    for (int m = -shorter; m <= shorter; ++m) {
+      const double x = along_x + 2.0 * contact::pi * m;
+      const double y = along_y + 2.0 * contact::pi * n;
+      const double kx = x / element_x;
+      const double ky = y / element_y;
+      const double k = std::hypot(kx, ky);
+      const double weight = std::pow(sinc(0.5 * x) * sinc(0.5 * y), 2) /
+                            (contact::shear_modulus(lattice.material) * k);
+      sum.xx += weight * (1.0 - nu * kx * kx / (k * k));
+      sum.yy += weight * (1.0 - nu * ky * ky / (k * k));
+      sum.xy -= weight * nu * kx * ky / (k * k);
+      sum.nn += weight * (1.0 - nu);
+    }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<ElementResponse> lattice_deficit(const Lattice& lattice) {
+  const Column column(lattice);
+  const auto along = [](int wave) { return contact::pi * (wave + 0.5) / waves; };
+  std::vector<ElementResponse> less(static_cast<std::size_t>(waves) *
+                                    waves);  // of finite elements than of the half-space
+  contact::for_each_index(less.size(), [&](std::size_t k) {
+    const double x = along(static_cast<int>(k) % waves), y = along(static_cast<int>(k) / waves);
+    const ElementResponse half = halfspace_response(lattice, x, y);
+    const Matrix3cd fe = column.response(x, y);
+    less[k].xx = half.xx - fe(0, 0).real();
+    less[k].yy = half.yy - fe(1, 1).real();
+    less[k].nn = half.nn - fe(2, 2).real();
+    less[k].xy = half.xy - fe(0, 1).real();
+  });
+  constexpr int side = lattice_reach + 1;
+  std::vector<ElementResponse> deficit(static_cast<std::size_t>(side) * side);
+  for (std::size_t k = 0; k < less.size(); ++k) {
+    const double x = along(static_cast<int>(k) % waves), y = along(static_cast<int>(k) / waves);
+    constexpr double share = 1.0 / (waves * waves);
+    for (int j = 0; j < side; ++j)
+      for (int i = 0; i < side; ++i) {
+        ElementResponse& at = deficit[static_cast<std::size_t>(j) * side + i];
+        const double even = share * std::cos(i * x) * std::cos(j * y);
+        const double odd = -share * std::sin(i * x) * std::sin(j * y);
+        at.xx += even * less[k].xx;
+        at.yy += even * less[k].yy;
+        at.nn += even * less[k].nn;
+        at.xy += odd * less[k].xy;
+      }
+  }
+  return deficit;
+}
 
 namespace {
 

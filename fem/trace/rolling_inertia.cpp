@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/trace/rolling_inertia.hpp"
 
-#include "fem/trace/fem_compliance.hpp"
-#include "fem/trace/prescribed.hpp"
+#include "fem/trace/far_field.hpp"
 #include "scene/geometry.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -26,6 +25,13 @@ Vector centrifugal_load(const ElasticProblem& problem) {
   return load;
 }
 
+namespace {
+
+/// Displacement of a free disc rotating with this motion, in equilibrium everywhere: in its middle
+/// plane (y = 0) that of plane stress, u_r = rho omega^2 (1 - nu) ((3 + nu) R^2 r - (1 + nu)
+/// r^3)/(8 E), plus -rho omega^2 nu (1 + nu) y^2 r / (2 E) outside it; along the axle -nu/E times
+/// the integral of sigma_r + sigma_theta (Timoshenko and Goodier, Theory of Elasticity, the
+/// rotating disk as a three-dimensional problem).
 dealii::Tensor<1, 3> spinning_disc_displacement(const contact::Material& material,
                                                 const MaterialMotion& motion, double outer_radius,
                                                 const dealii::Point<3>& place) {
@@ -57,6 +63,8 @@ Vector spinning_displacement(const Body& wheel, const LinearSolver& solver) {
   return std::move(
       solve_with_prescribed(problem, solver, {nodal_values(problem, on_disc)}, &load).front());
 }
+
+}  // namespace
 
 WheelExpansion wheel_expansion(const Body& wheel, const LinearSolver& solver,
                                const contact::ContactSurface& surface,

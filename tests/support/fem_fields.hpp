@@ -3,7 +3,7 @@
 // process.
 #pragma once
 
-#include "fem/discretisation/cell_terms.hpp"
+#include "fem/discretisation/elastic_problem.hpp"
 #include "fem/linear/linear_solver.hpp"
 
 #include <deal.II/base/quadrature_lib.h>

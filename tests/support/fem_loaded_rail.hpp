@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fem/linear/multigrid.hpp"
-#include "fem/stress/stress_recovery.hpp"
+#include "fem/stress/stress_output.hpp"
 #include "fem/trace/fem_compliance.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
@@ -52,22 +52,14 @@ struct LoadedRail {
     displacement = fem::make_vector(body->dofs());
     auto load = fem::make_vector(body->dofs());
     own_coupling(*body, grid).load({-traction.x, -traction.y, -traction.n}, load);
-    fem::MultigridOptions solver;
-    solver.tolerance = 1e-9;
-    fem::make_multigrid(body->problem(), solver)->solve(displacement, load);
+    fem::make_multigrid(body->problem(), {1e-9})->solve(displacement, load);
     displacement.update_ghost_values();
     locator = std::make_unique<fem::BodyLocator>(*body);
     stress = fem::StressRecovery(*body).recover(displacement);
   }
 
   std::vector<SymmetricTensor> recovered(const fem::BodyPoints& points) const {
-    const auto direct = points.values(stress.direct, {1, 1, 1});
-    const auto shear = points.values(stress.shear, {-1, -1, 1});
-    std::vector<SymmetricTensor> result;
-    for (std::size_t k = 0; k < points.size(); ++k)
-      result.push_back(
-          {direct[k][0], direct[k][1], direct[k][2], shear[k][0], shear[k][1], shear[k][2]});
-    return result;
+    return fem::stress_at(points, stress);
   }
 
   /// The half-space under the same tractions on elements so small that their steps do not show.

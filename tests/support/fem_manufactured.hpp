@@ -3,7 +3,7 @@
 #pragma once
 
 #include "fem/linear/linear_solver.hpp"
-#include "fem/mesh/chart.hpp"
+#include "fem/mesh/surface_shape.hpp"
 
 #include "support/fem_fields.hpp"
 #include "support/fem_test_support.hpp"
@@ -36,7 +36,7 @@ struct Manufactured {
   void evaluate(const dealii::Point<3>& place, dealii::Tensor<1, 3>& u,
                 dealii::Tensor<2, 3>& gradient) const {
     const auto chart = shape.coordinates(place);
-    const fem::SurfaceManifold manifold(shape);
+    const fem::MeansInChart manifold = fem::surface_manifold(shape);
     const double k = dealii::numbers::PI / (2 * manufactured_extent);
     std::array<double, 3> c{}, s{};
     for (unsigned int d = 0; d < 3; ++d) {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/threads.hpp"
-#include "fem/discretisation/cell_terms.hpp"
+#include "fem/discretisation/elastic_problem.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/plasticity/steady_pass.hpp"
 #include "fem/trace/fem_compliance.hpp"

@@ -2,7 +2,7 @@
 // Nearly incompressible bodies: orders at nu = 0.4999 where plain elements lock, a thick cylinder
 // and its stresses, contact of rubber-like bodies against the half-space.
 #include "case/reading/case_reader.hpp"
-#include "fem/discretisation/cell_terms.hpp"
+#include "fem/discretisation/elastic_problem.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/trace/fem_compliance.hpp"

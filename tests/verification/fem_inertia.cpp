@@ -4,7 +4,7 @@
 // (numbers that are only recorded: the book).
 #include "base/errors.hpp"
 #include "base/material.hpp"
-#include "fem/discretisation/cell_terms.hpp"
+#include "fem/discretisation/elastic_problem.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/trace/fem_compliance.hpp"

@@ -27,7 +27,7 @@ TEST(PatchTest, LinearDisplacementIsInEquilibriumOnSkewCellsWithHangingNodes) {
     const auto problem = block.problem();
     ASSERT_GT(problem.constraints.n_constraints(), 0U);
     const auto unknowns = fem::number_free_unknowns(problem.dofs, problem.constraints);
-    const auto matrix = fem::assemble(problem, unknowns);
+    const auto matrix = fem::assemble(problem, {&unknowns}).front();
     const auto on_boundary = dealii::DoFTools::extract_boundary_dofs(
         problem.dofs, dealii::ComponentMask(), std::set<dealii::types::boundary_id>());
     std::vector<double> u(unknowns.count), force;

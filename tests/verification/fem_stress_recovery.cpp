@@ -48,13 +48,10 @@ RecoveryErrors errors(const fem::SurfaceShape& shape, double cell) {
   const fem::Body body(shape, manufactured_material, two_sizes(cell), MPI_COMM_WORLD);
   const Manufactured exact{shape};
   auto u = fem::make_vector(body.dofs());
-  fem::MultigridOptions options;
-  options.tolerance = 1e-9;
-  fem::make_multigrid(body.problem(), options)->solve(u, manufactured_load(body, exact));
+  fem::make_multigrid(body.problem(), {1e-9})->solve(u, manufactured_load(body, exact));
   const auto stress = fem::StressRecovery(body).recover(u);
   const auto points = fem::BodyLocator(body).find(scattered_points(shape), 0.01);
-  const auto direct = points.values(stress.direct, {1, 1, 1});
-  const auto shear = points.values(stress.shear, {-1, -1, 1});
+  const auto found = fem::stress_at(points, stress);
   double all = 0, scale = 0, top = 0;
   RecoveryErrors result;
   result.effectivity =
@@ -65,7 +62,7 @@ RecoveryErrors errors(const fem::SurfaceShape& shape, double cell) {
         components_of(stress_of(exact.gradient(dealii::Point<3>(p[0], p[1], p[2]))));
     double sum = 0;
     for (int c = 0; c < 6; ++c) {
-      const double difference = (c < 3 ? direct[k][c] : shear[k][c - 3]) - expected[c];
+      const double difference = found[k][c] - expected[c];
       sum += difference * difference;
       scale += expected[c] * expected[c];
       result.largest = std::max(result.largest, std::abs(difference));

@@ -3,7 +3,7 @@
 // surface: against Hertz's closed forms inside and outside of a circle, and better than the
 // recovered stress alone.
 #include "fem/stress/surface_stress.hpp"
-#include "fem/trace/prescribed.hpp"
+#include "fem/trace/far_field.hpp"
 
 #include "support/fem_fields.hpp"
 #include "support/fem_loaded_rail.hpp"

@@ -38,8 +38,8 @@ double force_on_second(const Approach& first, const Approach& second, double mod
   double below = 0.0, above = force;
   for (int step = 0; step < 60; ++step) {
     const double n = 0.5 * (below + above), rest = force - n;
-    const bool too_much = second(n) + rest * by_other + separation > first(rest) + n * by_other;
-    (too_much ? above : below) = n;
+    const bool excess = second(n) + rest * by_other + separation > first(rest) + n * by_other;
+    (excess ? above : below) = n;
   }
   return below;
 }

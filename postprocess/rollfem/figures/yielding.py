@@ -6,7 +6,7 @@ from html import escape
 
 import numpy as np
 
-from ..shakedown import Ellipse, boundaries
+from ..shakedown import Ellipse, boundaries, yield_shear_stress
 from . import load_points, stresses, styles
 from .figure import Figure
 from .maps import colour_scale, filled
@@ -156,7 +156,7 @@ def groove(model, body):
 def shakedown_map(result):
     """The passes in the shakedown map. None if nothing yields."""
     found = [(model, body, k) for model, body in bodies(result)
-             if (k := result.inputs.get(f"{body}_plasticity.yield_stress", 0.0) / math.sqrt(3.0))]
+             if (k := yield_shear_stress(result.inputs.get(f"{body}_plasticity.yield_stress", 0.0)))]
     if not found:
         return None
     point = found[0][0].points[-1]

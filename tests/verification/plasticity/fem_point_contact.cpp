@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A circular contact on perfectly plastic steel: shakedown and ratchetting at the limits of Ponter,
 // Hearle and Johnson (1985, J. Mech. Phys. Solids 33).
-#include "fem/discretisation/cell_terms.hpp"
+#include "fem/discretisation/elastic_problem.hpp"
 
 #include "support/fem_rolled_patch.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies lie on the true surface, have sound cells, and refuse what cannot be meshed.
 #include "base/errors.hpp"
-#include "fem/mesh/chart.hpp"
+#include "fem/mesh/surface_shape.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -82,7 +82,7 @@ TEST(SurfaceShape, FrameIsOrthonormalAndTangentToTheSurface) {
 TEST(SurfaceShape, ManifoldGradientMatchesDifferences) {
   const double step = 1e-5;
   for (const auto& shape : thesis_shapes()) {
-    const fem::SurfaceManifold manifold(shape);
+    const fem::MeansInChart manifold = fem::surface_manifold(shape);
     const dealii::Point<3> at(6.0, -9.0, 4.0);
     const auto gradient = manifold.push_forward_gradient(at);
     for (unsigned int d = 0; d < 3; ++d) {

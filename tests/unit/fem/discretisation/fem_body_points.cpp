@@ -6,7 +6,7 @@
 #include "fem/discretisation/body_points.hpp"
 #include "fem/stress/stress_output.hpp"
 #include "fem/stress/stress_recovery.hpp"
-#include "fem/trace/prescribed.hpp"
+#include "fem/trace/far_field.hpp"
 
 #include "support/fem_test_support.hpp"
 #include "support/temporary_folder.hpp"

@@ -4,7 +4,7 @@
 #include "base/errors.hpp"
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/multigrid.hpp"
-#include "fem/mesh/chart.hpp"
+#include "fem/mesh/coarse_mesh.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "meshes/hex_mesh.hpp"
 #include "meshes/true_section.hpp"
@@ -125,7 +125,7 @@ TEST(ProfileChart, GradientAndFrameAreThoseOfThePlaces) {
   for (const auto& shape : shapes())
     for (const double s : {-9.0, 0.0, 4.0})
       for (const double t : {-8.03, 5.0}) {
-        const fem::SurfaceManifold manifold(shape);
+        const fem::MeansInChart manifold = fem::surface_manifold(shape);
         const dealii::Point<3> chart(s, t, 3.0);
         const auto gradient = manifold.push_forward_gradient(chart);
         for (unsigned int d = 0; d < 3; ++d) {
@@ -189,7 +189,7 @@ TEST(ProfileBox, FollowsASteepProfileWithSoundCells) {
                        .profile->height(layout.bodies.middle + side * layout.bodies.reach_t())
                        .slope));
     // sin 15 degrees, where the surface is as steep as a box follows it.
-    EXPECT_GT(smallest_scaled_jacobian(body->coarse_mesh()), 0.25);
+    EXPECT_GT(smallest_scaled_jacobian(fem::hex_mesh(body->triangulation())), 0.25);
     const auto solver = fem::make_multigrid(body->problem(), {1e-10});
     auto load = fem::make_vector(body->dofs()), u = load;
     for (const auto dof : load.locally_owned_elements()) load(dof) = dof % 3 == 2 ? 1.0 : 0.3;
@@ -235,7 +235,7 @@ TEST(TrueSections, MeshedHaveTheVolumeOfTheOutlineAndLieOnTheSurface) {
       *scene.geometry.surface.profiles, {scene.rail_inclination, !scene.place->left, 172.0}));
   EXPECT_NEAR(volume_of(*bodies.rail) / (area * 2.0 * layout.bodies.reach_s()), 1.0, 0.01);
   for (const fem::Body* body : {bodies.wheel.get(), bodies.rail.get()})
-    EXPECT_GT(smallest_scaled_jacobian(body->coarse_mesh()), 0.1);
+    EXPECT_GT(smallest_scaled_jacobian(fem::hex_mesh(body->triangulation())), 0.1);
   EXPECT_GT(bodies.reach, 40.0);
 }
 
@@ -247,7 +247,7 @@ TEST(TrueSections, AreMeshedAtTheRootOfTheFlange) {
   const fem::CaseBodies bodies = fem::make_bodies(scene, layout.bodies, MPI_COMM_WORLD);
   for (const fem::Body* body : {bodies.wheel.get(), bodies.rail.get()}) {
     expect_on_surface(*body, *scene.geometry.surface.profiles);
-    EXPECT_GT(smallest_scaled_jacobian(body->coarse_mesh()), 0.1);
+    EXPECT_GT(smallest_scaled_jacobian(fem::hex_mesh(body->triangulation())), 0.1);
     EXPECT_GT(volume_of(*body), 0.0);
   }
 }

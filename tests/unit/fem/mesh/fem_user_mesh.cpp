@@ -5,8 +5,8 @@
 #include "fem/linear/factorisation.hpp"
 #include "fem/mesh/chart_face.hpp"
 #include "fem/mesh/coarse_mesh.hpp"
+#include "fem/trace/far_field.hpp"
 #include "fem/trace/fem_compliance.hpp"
-#include "fem/trace/prescribed.hpp"
 
 #include "support/fem_test_support.hpp"
 #include "support/mesh_examples.hpp"

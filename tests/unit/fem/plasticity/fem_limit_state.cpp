@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "fem/plasticity/limit_state.hpp"
+#include "fem/plasticity/yielding_bodies.hpp"
 
 #include <gtest/gtest.h>
 

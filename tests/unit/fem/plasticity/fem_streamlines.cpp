@@ -2,9 +2,9 @@
 // Material points on streamlines: strain of a displacement in the section's axes, and the load of
 // plastic strain, which is its adjoint.
 #include "base/errors.hpp"
-#include "fem/discretisation/cell_terms.hpp"
+#include "fem/discretisation/elastic_problem.hpp"
 #include "fem/plasticity/streamlines.hpp"
-#include "fem/trace/prescribed.hpp"
+#include "fem/trace/far_field.hpp"
 
 #include "support/fem_fields.hpp"
 #include "support/fem_plane_strain.hpp"

@@ -3,7 +3,6 @@
 // wheel and rail, linearity, symmetry, and that surface and body show the same displacement.
 #include "case/reading/case_reader.hpp"
 #include "fem/trace/far_field.hpp"
-#include "fem/trace/prescribed.hpp"
 #include "halfspace/closed_forms/point_loads.hpp"
 #include "scene/geometry.hpp"
 
