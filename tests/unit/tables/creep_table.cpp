@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables of creep forces: between their points, under reversal and in the mirror, beyond their end,
-// and through their files.
+// and damaged files.
 #include "base/errors.hpp"
 #include "tables/files/axis_weights.hpp"
 #include "tables/files/table_files.hpp"
@@ -181,25 +181,6 @@ TEST(CreepTable, RefusesRatiosOutsideAndNaNs) {
   broken = table_of_law(4);
   broken.creepage[2].front() = -5.0;
   EXPECT_THROW(CreepTableReader{broken}, contact::InputError);
-}
-
-TEST(CreepTable, ComesBackFromItsFileToTheLastBit) {
-  const TemporaryFolder folder;
-  CreepTable table = table_of_law(4);
-  table.checked = {{0.7, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}}};
-  table.interpolation.points = 1;
-  const std::string file = folder.file("table.h5", tables::table_hdf5(table));
-  const CreepTable back = tables::read_table(file);
-  EXPECT_EQ(back.title, table.title);
-  EXPECT_EQ(back.case_text, table.case_text);
-  EXPECT_EQ(back.axis_ratio, table.axis_ratio);
-  EXPECT_EQ(back.creepage, table.creepage);
-  EXPECT_EQ(back.scale, table.scale);
-  EXPECT_EQ(back.forces, table.forces);
-  EXPECT_EQ(back.bars, table.bars);
-  EXPECT_EQ(back.interpolation.force_95, table.interpolation.force_95);
-  ASSERT_EQ(back.checked.size(), 1U);
-  EXPECT_EQ(back.checked[0].solved, table.checked[0].solved);
 }
 
 TEST(CreepTable, DamagedAndForeignFilesAreRefused) {

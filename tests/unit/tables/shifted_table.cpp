@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables over lateral shifts: at and between their points, at a jump of the contact, in physical
-// units, and through their files.
+// units.
 #include "support/shifted_table.hpp"
 
 #include "base/errors.hpp"
-#include "tables/files/table_files.hpp"
 #include "tables/files/table_reader.hpp"
 
-#include "support/temporary_folder.hpp"
 #include <tuple>
 
 namespace {
@@ -145,31 +143,6 @@ TEST(ShiftedTable, RefusesShiftsOutsideAndQuestionsOfTheOtherKind) {
   broken = table_of_shifts(2);
   broken.creepage[0].front() = -9.0;
   EXPECT_THROW(CreepTableReader{broken}, contact::InputError);
-}
-
-TEST(ShiftedTable, ComesBackFromItsFileToTheLastBit) {
-  const TemporaryFolder folder;
-  CreepTable table = table_of_shifts(3);
-  table.checked = {{0.7, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}}};
-  const std::string file = folder.file("table.h5", tables::table_hdf5(table));
-  const CreepTable back = tables::read_table(file);
-  EXPECT_EQ(back.lateral_shift, table.lateral_shift);
-  EXPECT_TRUE(back.axis_ratio.empty());
-  EXPECT_EQ(back.creepage, table.creepage);
-  EXPECT_EQ(back.scale, table.scale);
-  EXPECT_EQ(back.forces, table.forces);
-  EXPECT_EQ(back.along_normal, table.along_normal);
-  EXPECT_EQ(back.shear_modulus, table.shear_modulus);
-  EXPECT_EQ(back.friction_coefficient, table.friction_coefficient);
-  ASSERT_EQ(back.wheels.size(), table.wheels.size());
-  for (std::size_t k = 0; k < table.wheels.size(); ++k)
-    for (const tables::WheelColumn& column : tables::wheel_columns())
-      EXPECT_EQ(back.wheels[k].*column.member, table.wheels[k].*column.member) << column.name;
-  ASSERT_EQ(back.checked.size(), 1U);
-  EXPECT_EQ(back.checked[0].place.first, 0.7);
-  const std::string rows = tables::shifts_csv(table);
-  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 6);
-  EXPECT_EQ(rows.rfind("lateral_shift [mm],semi_axis_x [mm]", 0), 0U);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The registry of models: order, refused names, and messages about models that cannot take a case.
+// The registry of models: order and refused names. Models that cannot take a case:
+// tests/cli/test_models.py.
 #include "base/errors.hpp"
 #include "contact/solve/model.hpp"
 
@@ -19,14 +20,6 @@ ModelInfo model(const std::string& name, const Demands& takes, bool has_stress) 
   return info;
 }
 
-std::string refused(const ModelRegistry& models, const ModelInput& input, const char* name) {
-  try {
-    return models.run(name, input, {}).name + " ran";
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
-
 TEST(ModelRegistry, KeepsTheOrderAndRefusesWhatCouldNotBeNamed) {
   ModelRegistry models;
   models.add(model("theory", {}, false)).add(model("solver", {Demand::rigid_body}, true));
@@ -43,26 +36,6 @@ TEST(ModelRegistry, KeepsTheOrderAndRefusesWhatCouldNotBeNamed) {
   EXPECT_THROW(static_cast<void>(ModelRegistry().reference()), std::logic_error);
   EXPECT_EQ(refusal<InputError>([&] { static_cast<void>(models.at("none", "--model")); }),
             "--model none: no such model; allowed: theory, solver; do: name one of them");
-}
-
-TEST(ModelRegistry, RefusesAndNamesTheModelsThatCan) {
-  ModelRegistry models;
-  models.add(model("rough", {Demand::rigid_body}, false))
-      .add(model("theory", {}, false))
-      .add(model("solver", {Demand::rigid_body}, true));
-  ModelInput input;
-  input.file = "a.toml";
-  EXPECT_EQ(refused(models, input, "theory"), "theory ran");
-  input.rail.material.young_modulus = infinity;
-  EXPECT_EQ(refused(models, input, "solver"), "solver ran");
-  EXPECT_EQ(refused(models, input, "theory"),
-            "a.toml: model theory: young_modulus = inf: it cannot handle a rigid body; allowed: "
-            "rough, solver; do: run with --model solver, or change the case");
-  input.speed = 1.0;
-  input.options.fem.inertia = true;
-  EXPECT_EQ(refused(models, input, "solver"),
-            "a.toml: model solver: fem.inertia: it cannot handle the inertia of moving bodies; "
-            "allowed: no model can solve all of this case; do: change it");
 }
 
 }  // namespace

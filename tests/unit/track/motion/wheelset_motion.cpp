@@ -116,32 +116,6 @@ TEST(Slip, AtOtherPlacesIsThatOfARotation) {
   }
 }
 
-TEST(Slip, AgreesWithTheMovementOfAMaterialPoint) {
-  // Turn the wheelset by a small angle about its axle, move it, and see where the point went.
-  const contact::Case input = manchester_case(-6.0, 0.012);
-  const auto contact = contact_of(input, true);
-  const Motion motion{1.002 / 460.0, 0.0, 0.0, 0.0, 0.0};
-  const double step = 1e-4;
-  const auto& e = contact.axle.direction;
-  const auto& c = contact.axle.point;
-  contact::Vector3 arm{};
-  for (int d = 0; d < 3; ++d) arm[d] = contact.origin[d] - c[d];
-  const double turn = -motion.rotation * step;
-  const double along = e[0] * arm[0] + e[1] * arm[1] + e[2] * arm[2];
-  const contact::Vector3 cross{e[1] * arm[2] - e[2] * arm[1], e[2] * arm[0] - e[0] * arm[2],
-                               e[0] * arm[1] - e[1] * arm[0]};
-  const auto slip = track::slip_at(contact, motion, {});
-  double moved[3], sum_along = 0.0, sum_across = 0.0;
-  for (int d = 0; d < 3; ++d) {
-    moved[d] = arm[d] * std::cos(turn) + cross[d] * std::sin(turn) +
-               e[d] * along * (1.0 - std::cos(turn)) - arm[d] + (d == 0 ? step : 0.0);
-    sum_along += moved[d] * contact.along[d] / step;
-    sum_across += moved[d] * contact.across[d] / step;
-  }
-  EXPECT_NEAR(slip[0], sum_along, 1e-7);
-  EXPECT_NEAR(slip[1], sum_across, 1e-7);
-}
-
 TEST(Force, VerticalForceOfManchesterCaseOneIsTenKilonewtons) {
   // manchester_left.csv, case 1: F_N 9997 N, F_s 0.08458 mu F_N at angle 0.0290. CONTACT prints the
   // force on the rail to the right, which is ours on the wheel to the left.

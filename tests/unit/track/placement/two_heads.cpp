@@ -270,20 +270,4 @@ TEST(TwoHeads, BothCarryTheWheel) {
   EXPECT_NEAR(found_at[1], -found_at[0], 1e-9);
 }
 
-TEST(TwoHeads, ContactsOnBothSidesAreMirrorImages) {
-  contact::Case input = wheel_case(2.0);
-  contact::Case mirror = wheel_case(-2.0);
-  for (contact::Case* one : {&input, &mirror}) one->track.gauge_face = -20.0;
-  const track::ProfilePair pair{profiles::find_built_in_profile("S1002")->make(),
-                                section(nose_and_wing)};
-  const auto left = contacts_of(input, track::make_search_scene(input, pair), true);
-  const auto right = contacts_of(mirror, track::make_search_scene(mirror, pair), false);
-  ASSERT_FALSE(left.empty());
-  ASSERT_EQ(left.size(), right.size());
-  for (std::size_t k = 0; k < left.size(); ++k) {
-    EXPECT_NEAR(left[k].place.y_track, -right[k].place.y_track, 1e-9);
-    EXPECT_NEAR(left[k].place.separation, right[k].place.separation, 1e-9);
-  }
-}
-
 }  // namespace

@@ -210,28 +210,6 @@ TEST(Displacement, OfTheRailIsTheOppositeOneOfTheWheel) {
   }
 }
 
-TEST(Displacement, VelocitiesOfOneBodyAloneAddToTheSlip) {
-  contact::Case input = manchester_case(0.0, 0.0);
-  const auto still = contacts_of(input, false).at(0);
-  input.wheel_displacement.longitudinal_velocity = {0.1, 0.002};
-  input.wheel_displacement.rotation = {0.1, 1e-6};
-  input.rail_displacement.lateral_velocity = {0.1, 0.003};
-  input.rail_displacement.roll_velocity = {0.1, 1e-5};
-  const auto moving = contacts_of(input, false).at(0);
-  const track::Motion motion = track::motion_of(input, 0.0);
-  const auto a = track::creepage_of(still, motion), b = track::creepage_of(moving, motion);
-  EXPECT_NEAR(b.longitudinal - a.longitudinal, 0.002 - 1e-6 * moving.place.rolling_radius, 1e-9);
-  // The rail turns about the origin of its profile, z below the contact; the wheel follows it up.
-  const double angle = moving.place.contact_angle, y = moving.place.y_track;
-  const auto scene = track::make_search_scene(input, manchester_pair());
-  const track::RailPlace& rail = scene.rail(false).place;
-  const double aside = 0.003 - 1e-5 * (moving.place.z_track - rail.shift_z);
-  const double up = 1e-5 * (y - rail.shift_y);
-  const double across = std::cos(angle) * aside - std::sin(angle) * up;
-  const double parting = std::sin(angle) * aside + std::cos(angle) * up;
-  EXPECT_NEAR(b.lateral - a.lateral, across + std::tan(angle) * parting, 2e-8);
-}
-
 TEST(Placement, OfAWheelIsThatOfItsWheelset) {
   for (const double shift : {-7.0, 0.0, 3.0, 6.3})
     for (const bool left : {true, false}) {
