@@ -44,6 +44,12 @@ void count(int items, MPI_Datatype type) {
 
 }  // namespace
 
+// PETSc, whose headers come with deal.II's, counts by macros of these names.
+#undef MPI_Isend
+#undef MPI_Allreduce
+#undef MPI_Gatherv
+#undef MPI_Scatterv
+
 // MPI's profiling interface: the program's MPI calls arrive here first.
 extern "C" {
 int MPI_Isend(const void* data, int items, MPI_Datatype type, int to, int tag, MPI_Comm comm,

@@ -72,22 +72,31 @@ CreepTableReader filled(const Case& input, py::object callback) {
   });
 }
 
-/// What `rollfem table` writes.
+/// What `rollfem table` writes. h5py in another thread may hold the lock of HDF5 and wait for the
+/// GIL, so HDF5 is used without it.
 std::map<std::string, py::bytes> files_of(const CreepTableReader& reader) {
   const tables::CreepTable& table = reader.table();
-  std::map<std::string, py::bytes> files{{"table.h5", tables::table_hdf5(table)},
-                                         {"table.csv", tables::table_csv(table)},
-                                         {"interpolation.csv", tables::interpolation_csv(table)}};
-  if (table.over_shifts()) files.emplace("shifts.csv", tables::shifts_csv(table));
-  return files;
+  std::map<std::string, std::string> files;
+  {
+    const FreeGil free;
+    files = {{"table.h5", tables::table_hdf5(table)},
+             {"table.csv", tables::table_csv(table)},
+             {"interpolation.csv", tables::interpolation_csv(table)}};
+    if (table.over_shifts()) files.emplace("shifts.csv", tables::shifts_csv(table));
+  }
+  return {files.begin(), files.end()};
+}
+
+CreepTableReader read(const std::string& path) {
+  const FreeGil free;
+  return CreepTableReader(tables::read_table(path));
 }
 
 }  // namespace
 
 void define_tables(py::module_& module) {
   py::class_<CreepTableReader>(module, "CreepTable")
-      .def(py::init(
-          [](const std::string& path) { return CreepTableReader(tables::read_table(path)); }))
+      .def(py::init(&read))
       .def("files", &files_of)
       .def("wheels_at", &wheels_at)
       .def("scaled", over_rows(+[](const CreepTableReader& reader, double place, double load,

@@ -24,9 +24,9 @@ struct Computing {
   const contact::ModelRegistry& known;
   std::string command;  ///< the whole call, for provenance
   bool quiet = false;
-  bool resume = false;   ///< continue an interrupted run
-  contact::RunPart own;  ///< --part: part of the work to do and store, without a result
-  int merge = 0;         ///< --merge: number of parts to put together
+  bool resume = false;     ///< continue an interrupted run
+  contact::RunPart own{};  ///< --part: part of the work to do and store, without a result
+  int merge = 0;           ///< --merge: number of parts to put together
 };
 
 class CommandFrame {

@@ -37,7 +37,7 @@ inclination = "1:40"
 
 /// A case with keys changed as by `--set`.
 inline std::string edited(const std::string& text, const std::vector<std::string>& changes) {
-  return contact::with_changes(text, "case.toml", changes, {{"auto", "halfspace", "fem"}, {}});
+  return contact::with_changes(text, "case.toml", changes, {{"auto", "halfspace", "fem"}, {}, {}});
 }
 
 /// The small case with lines added at the end.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bending of a flange under shared load, against finite elements of the sections of wheel and rail.
+#include "track/balance/flange_bending.hpp"
+
 #include "track/balance/balance.hpp"
 
 #include "support/wheel_rail_cases.hpp"
