@@ -57,6 +57,7 @@ ProfileCurve::ProfileCurve(std::vector<ProfileKnot> knots, double rounding)
   for (std::size_t k = 1; k < knots_.size(); ++k)
     if (!(knots_[k].parameter > knots_[k - 1].parameter))
       throw std::invalid_argument("the parameters of a profile curve must increase");
+  for (auto* list : {&highest_y_, &lowest_y_}) list->reserve(knots_.size());
   double highest = knots_.front().y, lowest = highest;
   for (const ProfileKnot& knot : knots_) {
     highest_y_.push_back(highest = std::max(highest, knot.y));

@@ -5,6 +5,7 @@
 #include "base/threads.hpp"
 #include "fem/discretisation/elastic_problem.hpp"
 #include "fem/mesh/surface_shape.hpp"
+#include "fem/plasticity/cell_shape.hpp"
 
 #include <Eigen/QR>
 #include <deal.II/base/mpi.h>
@@ -21,15 +22,6 @@ namespace {
 const std::array<double, 2> gauss_places{0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
 
 using SpaceTensor = dealii::Tensor<2, 3>;
-
-/// A point this far outside of a cell, in cells, is still its own: rounding.
-constexpr double border = 1e-7;
-
-bool in_unit_cell(const dealii::Point<3>& unit) {
-  bool inside = true;
-  for (unsigned int d = 0; d < 3; ++d) inside = inside && std::abs(unit[d] - 0.5) <= 0.5 + border;
-  return inside;
-}
 
 Deviator deviator_of(const SpaceTensor& gradient) {
   const double mean = dealii::trace(gradient) / 3.0;
@@ -63,13 +55,6 @@ struct Slot {
   }
 };
 
-/// A point of a streamline before its cell is known.
-struct Sought {
-  std::size_t from;
-  Source source;
-  double s, length;  ///< mm
-};
-
 struct PlasticCell {
   std::vector<dealii::types::global_dof_index> dofs;
   std::size_t first_slot, end_slot;
@@ -81,7 +66,7 @@ struct Streamlines::Implementation {
   Implementation(const Body& the_body, const StreamLattice& the_lattice)
       : body(the_body),
         lattice(the_lattice),
-        nodes(the_body.dofs().get_fe().base_element(0).n_dofs_per_cell()),
+        shape(the_body),
         hanging(make_constraints(the_body.dofs(), the_body.mapping(), {})) {
     volumes.assign(lattice.points(), 0.0);
     for (const auto& cell : body.dofs().active_cell_iterators())
@@ -108,22 +93,21 @@ struct Streamlines::Implementation {
     const auto down =
         between(box.lower[2], box.upper[2], 0, 2 * static_cast<std::size_t>(lattice.down));
     if (across[0] >= across[1] || down[0] >= down[1]) return;
+    shape.reinit(cell);
     const double rear = lattice.along[0] * lattice.cell, front = lattice.along[1] * lattice.cell;
     const auto along = between(box.lower[0], box.upper[0], lattice.along[0], lattice.stations());
-    std::vector<Sought> sought;
+    const std::size_t first = slots.size();
     for (std::size_t k = down[0]; k < down[1]; ++k)
       for (std::size_t j = across[0]; j < across[1]; ++j) {
         const std::size_t stream = k * lattice.width() + j;
         for (std::size_t i = along[0]; i < along[1]; ++i) {
           const std::size_t station = lattice.stations() - 1 - i;
-          sought.push_back({stream * lattice.stations() + station, Source::point,
-                            lattice.s(station), 0.5 * lattice.cell});
+          add_slot(lattice.s(station), 0.5 * lattice.cell, stream, Source::point,
+                   stream * lattice.stations() + station);
         }
-        add_piece(std::max(front, box.lower[0]), box.upper[0], stream, Source::inflow, sought);
-        add_piece(box.lower[0], std::min(rear, box.upper[0]), stream, Source::outflow, sought);
+        add_piece(std::max(front, box.lower[0]), box.upper[0], stream, Source::inflow);
+        add_piece(box.lower[0], std::min(rear, box.upper[0]), stream, Source::outflow);
       }
-    const std::size_t first = slots.size();
-    add_slots(cell, sought);
     if (slots.size() == first) return;
     PlasticCell added{{}, first, slots.size()};
     added.dofs.resize(body.dofs().get_fe().dofs_per_cell);
@@ -132,48 +116,27 @@ struct Streamlines::Implementation {
   }
 
   /// A piece of a streamline outside the box.
-  void add_piece(double lower, double upper, std::size_t stream, Source source,
-                 std::vector<Sought>& sought) const {
+  void add_piece(double lower, double upper, std::size_t stream, Source source) {
     const double length = upper - lower;
     if (!(length > 1e-6 * lattice.cell)) return;
     for (const double place : gauss_places)
-      sought.push_back({stream, source, lower + place * length, 0.5 * length});
+      add_slot(lower + place * length, 0.5 * length, stream, source, stream);
   }
 
-  /// Those that lie in the cell and in none before.
-  void add_slots(const dealii::DoFHandler<3>::active_cell_iterator& cell,
-                 const std::vector<Sought>& sought) {
+  void add_slot(double s, double length, std::size_t stream, Source source, std::size_t from) {
     const SurfaceShape& surface = body.shape();
-    const MeansInChart manifold = surface_manifold(surface);
-    const auto chart_of = [&](const Sought& one) {
-      const bool inside = one.source == Source::point;
-      const auto [t, depth] = lattice.section(inside ? one.from / lattice.stations() : one.from);
-      return dealii::Point<3>(one.s, t, depth);
-    };
-    std::vector<dealii::Point<3>> places, units(sought.size()), of_slots;
-    for (const Sought& one : sought) {
-      const auto chart = chart_of(one);
-      places.push_back(surface.place(chart[0], chart[1], chart[2]));
-    }
-    body.mapping().transform_points_real_to_unit_cell(cell, dealii::make_array_view(places),
-                                                      dealii::make_array_view(units));
-    for (std::size_t k = 0; k < sought.size(); ++k) {
-      const auto [from, source, s, length] = sought[k];
-      if (!in_unit_cell(units[k]) || (source == Source::point && volumes[from] != 0.0)) continue;
-      const auto chart = chart_of(sought[k]);
-      const auto map = manifold.push_forward_gradient(chart);
-      const double stretch = std::abs(dealii::determinant(dealii::Tensor<2, 3>(map)));
-      const double volume = 0.25 * lattice.cell * lattice.cell * length * stretch;
-      if (source == Source::point) volumes[from] = volume;
-      slots.push_back({from, source, volume, sine_at(s, chart[1]), units[k], chart[2]});
-      of_slots.push_back(units[k]);
-    }
-    if (of_slots.empty()) return;
-    dealii::FEValues<3> values(body.mapping(), body.dofs().get_fe().base_element(0),
-                               dealii::Quadrature<3>(of_slots), dealii::update_gradients);
-    values.reinit(static_cast<const dealii::Triangulation<3>::active_cell_iterator&>(cell));
-    for (unsigned int q = 0; q < of_slots.size(); ++q)
-      for (unsigned int a = 0; a < nodes; ++a) gradients.push_back(values.shape_grad(a, q));
+    const auto [t, depth] = lattice.section(stream);
+    const dealii::Point<3> chart(s, t, depth);
+    const auto unit = shape.inside(surface.place(chart[0], chart[1], chart[2]));
+    if (!unit || (source == Source::point && volumes[from] != 0.0)) return;
+    const auto map = surface_manifold(surface).push_forward_gradient(chart);
+    const double stretch = std::abs(dealii::determinant(dealii::Tensor<2, 3>(map)));
+    const double volume = 0.25 * lattice.cell * lattice.cell * length * stretch;
+    if (source == Source::point) volumes[from] = volume;
+    const double sine = sine_at(s, chart[1]);
+    slots.push_back({from, source, volume, sine, *unit, chart[2]});
+    gradients.resize(slots.size() * shape.nodes());
+    shape.gradients(*unit, &gradients[(slots.size() - 1) * shape.nodes()]);
   }
 
   double sine_at(double s, double t) const {
@@ -215,7 +178,7 @@ struct Streamlines::Implementation {
 
   const Body& body;
   const StreamLattice& lattice;  ///< of the streamlines
-  unsigned int nodes;            ///< of a cell
+  CellShape shape;
   dealii::AffineConstraints<double> hanging;
   std::vector<double> volumes;
   std::vector<PlasticCell> cells;
@@ -239,7 +202,7 @@ double Streamlines::volume(std::size_t k) const {
 
 std::vector<Deviator> Streamlines::strains(const Vector& displacement) const {
   const Implementation& of = *implementation_;
-  const unsigned int nodes = of.nodes;
+  const unsigned int nodes = of.shape.nodes();
   const auto& element = of.body.dofs().get_fe();
   std::vector<Deviator> result(points(), Deviator{});
   contact::for_each_piece(
@@ -278,7 +241,7 @@ void Streamlines::load(const std::vector<Deviator>& plastic,
                        const std::vector<PlasticState>& inflow,
                        const std::vector<PlasticState>& outflow, Vector& b) const {
   const Implementation& of = *implementation_;
-  const unsigned int nodes = of.nodes;
+  const unsigned int nodes = of.shape.nodes();
   const auto& element = of.body.dofs().get_fe();
   const double twice_g = 2.0 * lame_mu(of.body.material());
   std::vector<double> forces(3 * nodes * of.cells.size(), 0.0);

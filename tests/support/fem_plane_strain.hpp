@@ -76,10 +76,12 @@ inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) 
       grid, pressure, lattice);
 }
 
-/// A slab in plane strain, the same for all tests of a process; never destroyed, for MPI ends
-/// before.
+/// A slab in plane strain, the same for all tests of a process.
 inline const RolledBody& slab_of(int per_half_width, double extent, bool wheel = false) {
-  static auto& slabs = *new std::map<std::tuple<int, double, bool>, std::unique_ptr<RolledBody>>;
+  static std::map<std::tuple<int, double, bool>, std::unique_ptr<RolledBody>> slabs;
+  if (slabs.empty())  // their meshes must go before MPI
+    dealii::Utilities::MPI::MPI_InitFinalize::signals.at_mpi_finalize.connect(
+        [] { slabs.clear(); });
   std::unique_ptr<RolledBody>& slab = slabs[{per_half_width, extent, wheel}];
   if (!slab) {
     SlabOptions options;

@@ -76,7 +76,7 @@ TEST(Record, TheSummaryListsWhatAPointHasSeveralOf) {
   EXPECT_TRUE(says(
       summary,
       R"("stress_maxima":[{"body":"rail","measure":"tresca","value":300.0,"place":[0.0,1.0,-2.0]}])",
-      R"("yielded":[{"body":"rail","verdict":"settling",)"));
+      R"("yielded":[{"body":"rail","verdict":"ratchetting",)"));
   // Arrays are in results.h5.
   EXPECT_EQ(summary.find("groove"), summary.npos);
   EXPECT_EQ(summary.find("subsurface"), summary.npos);
