@@ -76,12 +76,17 @@ inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) 
       grid, pressure, lattice);
 }
 
+/// The slabs of a process by elements per half-width, extent, and whether a wheel.
+inline std::map<std::tuple<int, double, bool>, std::unique_ptr<RolledBody>> slabs;
+
+/// Their meshes must go before MPI.
+class EndOfSlabs : public ::testing::Environment {
+  void TearDown() override { slabs.clear(); }
+};
+inline const auto* const end_of_slabs = ::testing::AddGlobalTestEnvironment(new EndOfSlabs);
+
 /// A slab in plane strain, the same for all tests of a process.
 inline const RolledBody& slab_of(int per_half_width, double extent, bool wheel = false) {
-  static std::map<std::tuple<int, double, bool>, std::unique_ptr<RolledBody>> slabs;
-  if (slabs.empty())  // their meshes must go before MPI
-    dealii::Utilities::MPI::MPI_InitFinalize::signals.at_mpi_finalize.connect(
-        [] { slabs.clear(); });
   std::unique_ptr<RolledBody>& slab = slabs[{per_half_width, extent, wheel}];
   if (!slab) {
     SlabOptions options;
