@@ -83,9 +83,9 @@ const Key* find_key(const std::string& section, const std::string& name) {
 }
 
 const Key* find_key(const std::string& path) {
-  for (const Key& key : case_keys())
-    if (key.path() == path) return &key;
-  return nullptr;
+  const std::size_t dot = path.rfind('.');  // names of sections may have one, names of keys not
+  return dot == path.npos ? find_key("", path)
+                          : find_key(path.substr(0, dot), path.substr(dot + 1));
 }
 
 }  // namespace rollfem::contact
