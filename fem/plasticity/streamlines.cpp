@@ -67,6 +67,7 @@ struct Streamlines::Implementation {
       : body(the_body),
         lattice(the_lattice),
         shape(the_body),
+        manifold(surface_manifold(the_body.shape())),
         hanging(make_constraints(the_body.dofs(), the_body.mapping(), {})) {
     volumes.assign(lattice.points(), 0.0);
     for (const auto& cell : body.dofs().active_cell_iterators())
@@ -129,7 +130,7 @@ struct Streamlines::Implementation {
     const dealii::Point<3> chart(s, t, depth);
     const auto unit = shape.inside(surface.place(chart[0], chart[1], chart[2]));
     if (!unit || (source == Source::point && volumes[from] != 0.0)) return;
-    const auto map = surface_manifold(surface).push_forward_gradient(chart);
+    const auto map = manifold.push_forward_gradient(chart);
     const double stretch = std::abs(dealii::determinant(dealii::Tensor<2, 3>(map)));
     const double volume = 0.25 * lattice.cell * lattice.cell * length * stretch;
     if (source == Source::point) volumes[from] = volume;
@@ -179,6 +180,7 @@ struct Streamlines::Implementation {
   const Body& body;
   const StreamLattice& lattice;  ///< of the streamlines
   CellShape shape;
+  MeansInChart manifold;
   dealii::AffineConstraints<double> hanging;
   std::vector<double> volumes;
   std::vector<PlasticCell> cells;
