@@ -3,6 +3,10 @@
 import json
 import os
 
+# Steel of CONTACT's examples, G = 82 000 MPa: keys of a body, sections of both, E* in MPa.
+CONTACT_STEEL = "young_modulus = 209920.0\npoisson_ratio = 0.28"
+CONTACT_BODIES = f"[wheel]\n{CONTACT_STEEL}\n[rail]\n{CONTACT_STEEL}\n"
+CONTACT_MODULUS = 82e3 / 0.72
 # CONTACT rev 2707 run for this project on case a: p0 by elements across.
 CONTACT_PRESSURE_A = {20: 577.730282, 40: 578.643455, 80: 578.888652, 160: 578.947893}
 # Its errors in p0 against Hertz, and its elements in contact, by case and elements across; in its approach of case a.

@@ -3,6 +3,7 @@
 import math
 from collections import defaultdict
 
+from .. import published
 from ..chapter import Row, closest
 from ..runs import RunFailed
 
@@ -82,9 +83,8 @@ def balance_rows(bench):
         rows.append(Row(f"yaw of 3 mrad: creepage across of the {model.place['wheel']} wheel", "", 0.003 / math.cos(model.place["contact_angle"]),
                         model.points[1]["lateral_creepage"], 2e-5, of=1.0, of_words="1"))
     # The elements in contact depend on the load carried by friction, and friction on the elements: here either leads to the other.
-    steel = "young_modulus = 209920.0\npoisson_ratio = 0.28"
     rows.append(closest([_vertical(f"{shift:g} mm", _solved(bench, f"element_{-shift:g}", shift, 0.0, "roll = 0.0", side="left", load=80e3,
-                                                            wheel=steel), 80e3) for shift in (-7.32, -7.321, -8.51)]))
+                                                            wheel=published.CONTACT_STEEL), 80e3) for shift in (-7.32, -7.321, -8.51)]))
     # A flange that slides down is carried upwards by friction; the other way round friction holds the wheel down.
     held, = _solved(bench, "held", 8.0, 0.02, side="right", friction=2.0)
     assert held.points[0]["normal_force"] < LOAD

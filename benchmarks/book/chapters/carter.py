@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib import pyplot as plt
 
-from .. import closed_forms
+from .. import closed_forms, published
 from ..chapter import Chapter, Cost, Row, closest
 
 
@@ -30,8 +30,7 @@ coefficient = {friction!r}
 [wheel]
 {wheel}
 [rail]
-young_modulus = 209920.0
-poisson_ratio = 0.28
+""" + published.CONTACT_STEEL + """
 [geometry]
 shape = "line"
 {geometry}
@@ -40,9 +39,9 @@ shape = "line"
 [contact_grid]
 elements_across = {across}
 """
-STEEL = "rolling_radius = 500.0\nyoung_modulus = 209920.0\npoisson_ratio = 0.28"
+STEEL = f"rolling_radius = 500.0\n{published.CONTACT_STEEL}"
 LOAD, LARGEST = 178.89625, 2 * 178.89625 / np.pi  # N/mm, MPa: a = 1 mm
-FRICTION, MODULUS = 0.3, 82e3 / 0.72  # mu and E* in MPa
+FRICTION, MODULUS = 0.3, published.CONTACT_MODULUS  # mu and E* in MPa
 PARTS = (0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 0.95, 1.1)  # of the creepage of full sliding, 6e-4
 
 

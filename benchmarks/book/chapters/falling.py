@@ -8,19 +8,13 @@ from .. import closed_forms, published
 from ..chapter import Chapter, Cost, Row, closest, printed
 from .over_rail import over_rail_rows
 
-FORCE, MODULUS, SPEED = 106.7e3, 82e3 / 0.72, 10e3  # N, E* in MPa, mm/s
+FORCE, MODULUS, SPEED = 106.7e3, published.CONTACT_MODULUS, 10e3  # N, E* in MPa, mm/s
 _CASE = """[load]
 normal_force = {force!r}
 [friction]
 coefficient = {mu!r}
 {fall}
-[wheel]
-young_modulus = 209920.0
-poisson_ratio = 0.28
-[rail]
-young_modulus = 209920.0
-poisson_ratio = 0.28
-[undeformed_distance]
+""" + published.CONTACT_BODIES + """[undeformed_distance]
 quadratic = {quadratic}
 [rolling]
 speed = {speed!r}
@@ -110,13 +104,7 @@ law = "exponential"
 kinetic_coefficient = 0.18
 half_velocity = 100.0
 branch = "sliding"
-[wheel]
-young_modulus = 209920.0
-poisson_ratio = 0.28
-[rail]
-young_modulus = 209920.0
-poisson_ratio = 0.28
-[geometry]
+""" + published.CONTACT_BODIES + """[geometry]
 shape = "line"
 width = 200.0
 relative_radius = 460.0

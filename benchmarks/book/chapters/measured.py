@@ -93,7 +93,7 @@ def _ends(model):
 
 def _adhering(bench):
     """Rollers of a = 1 mm that adhere, with layers from soft to stiff beside the bodies, and both limits of collocation."""
-    modulus, xi, rows = 82e3 / 0.72, 1e-7, []
+    modulus, xi, rows = published.CONTACT_MODULUS, 1e-7, []
 
     def collocated(compliance):
         return layered_cylinders.creep_force(1.0, LARGEST, 0.3, modulus, xi, compliance, 400)

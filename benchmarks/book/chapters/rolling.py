@@ -162,13 +162,7 @@ _ELLIPSE = """[load]
 normal_force = 82e3
 [friction]
 coefficient = 0.3
-[wheel]
-young_modulus = 209920.0
-poisson_ratio = 0.28
-[rail]
-young_modulus = 209920.0
-poisson_ratio = 0.28
-[undeformed_distance]
+""" + published.CONTACT_BODIES + """[undeformed_distance]
 quadratic = {quadratic}
 [rolling]
 {rolling}
@@ -181,7 +175,7 @@ cell_size = {cells}
 def ellipse(bench, name, axes, elements, scale, rolling, more=""):
     """An ellipse under 82 kN on elements as CONTACT lays them, over `scale` times the ellipse; first-order difference."""
     extent = [2 * scale * axis for axis in axes]
-    text = _ELLIPSE.format(quadratic=list(closed_forms.hertz_curvatures(*axes, 82e3, 82e3 / 0.72)), extent=extent,
+    text = _ELLIPSE.format(quadratic=list(closed_forms.hertz_curvatures(*axes, 82e3, published.CONTACT_MODULUS)), extent=extent,
                            cells=[length / elements for length in extent], rolling=f'{rolling}\nupwind_order = "first"')
     return bench.run_text(f"ellipse_{name}", text + more, ["halfspace"])["halfspace"]
 
@@ -230,7 +224,7 @@ def _given_rows(bench):
         point = bench.run(f"given_{across}", "cases/benchmark9.toml", ["halfspace"], {
             "given_pressure.semi_axis_x": 6.0, "given_pressure.semi_axis_y": 4.0, "rolling.longitudinal_creepage": 0.0, "rolling.lateral_creepage": 0.5, "rolling.spin": 0.0,
             "contact_grid.elements_across": across})["halfspace"].points[0]
-        approach = closed_forms.hertz(*closed_forms.hertz_curvatures(6.0, 4.0, 82e3, 82e3 / 0.72), 82e3, 82e3 / 0.72)[3]
+        approach = closed_forms.hertz(*closed_forms.hertz_curvatures(6.0, 4.0, 82e3, published.CONTACT_MODULUS), 82e3, published.CONTACT_MODULUS)[3]
         # Elements are fewer than the bar can be told from on 8 across.
         bar = point.bar("max_pressure") / largest if across > 8 else 1.0
         rows.append([Row(f"given pressure, {across} across: {words}", unit, exact, reached, allowed) for words, unit, exact, reached, allowed in (
