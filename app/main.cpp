@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/program.hpp"
-#include "models/registry.hpp"
+#include "modelling/registry.hpp"
 
 #include <malloc.h>
 

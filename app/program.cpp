@@ -5,8 +5,8 @@
 #include "app/version_text.hpp"
 #include "base/errors.hpp"
 #include "base/text_fields.hpp"
-#include "models/frame/interruption.hpp"
-#include "models/program/provenance.hpp"
+#include "modelling/frame/interruption.hpp"
+#include "modelling/program/provenance.hpp"
 
 #include <fmt/format.h>
 

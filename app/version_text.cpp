@@ -2,8 +2,8 @@
 #include "app/version_text.hpp"
 
 #include "base/errors.hpp"
-#include "models/fem/fem_library.hpp"
-#include "models/program/provenance.hpp"
+#include "modelling/fem/fem_library.hpp"
+#include "modelling/program/provenance.hpp"
 
 #include <CLI/Version.hpp>
 #include <Eigen/Core>

@@ -18,7 +18,7 @@ from model_error import friction_of, whole_of
 # Default of accuracy_of.
 QUANTITIES = ["max_pressure", "semi_axis_x", "semi_axis_y", "traction_coefficient"]
 GRIDS = [16, 24, 32, 48, 80]
-# Time of finite elements on auto's finest grid relative to the grid for 1 % (models/choice/laws.cpp).
+# Time of finite elements on auto's finest grid relative to the grid for 1 % (modelling/choice/laws.cpp).
 FINEST_OVER_ONE_PERCENT = (48 / 24) ** 1.5
 
 

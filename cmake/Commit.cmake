@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Run at every build: writes models/version.cpp with the current commit, and touches it only when that
+# Run at every build: writes modelling/version.cpp with the current commit, and touches it only when that
 # changed. Wants SOURCE, OUTPUT and ROLLFEM_VERSION.
 find_program(GIT git)
 set(ROLLFEM_COMMIT "")
@@ -10,4 +10,4 @@ endif()
 if(NOT ROLLFEM_COMMIT)
   set(ROLLFEM_COMMIT "unknown")
 endif()
-configure_file(${SOURCE}/models/program/version.cpp.in ${OUTPUT} @ONLY)
+configure_file(${SOURCE}/modelling/program/version.cpp.in ${OUTPUT} @ONLY)

@@ -6,9 +6,9 @@
 #include "base/text_fields.hpp"
 #include "case/checks/plausibility.hpp"
 #include "case/reading/case_reader.hpp"
-#include "models/frame/parts.hpp"
-#include "models/program/provenance.hpp"
-#include "models/registry.hpp"
+#include "modelling/frame/parts.hpp"
+#include "modelling/program/provenance.hpp"
+#include "modelling/registry.hpp"
 #include "profiles/profiles.hpp"
 #include "result/write/report.hpp"
 

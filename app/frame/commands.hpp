@@ -6,7 +6,7 @@
 #include "base/threads.hpp"
 #include "case/case.hpp"
 #include "contact/solve/model.hpp"
-#include "models/frame/command_frame.hpp"
+#include "modelling/frame/command_frame.hpp"
 
 #include <CLI/CLI.hpp>
 

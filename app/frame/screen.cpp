@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/frame/screen.hpp"
 
-#include "models/program/provenance.hpp"
+#include "modelling/program/provenance.hpp"
 
 #include <iostream>
 #include <streambuf>

@@ -5,8 +5,8 @@
 #include "base/text_fields.hpp"
 #include "case/reading/case_reader.hpp"
 #include "halfspace/patch/patch_search.hpp"
-#include "models/registry.hpp"
-#include "models/solving/case_scenes.hpp"
+#include "modelling/registry.hpp"
+#include "modelling/solving/case_scenes.hpp"
 #include "profiles/profiles.hpp"
 #include "result/files/files_together.hpp"
 

@@ -3,8 +3,8 @@
 // of keys, models, quantities and options.
 #include "app/frame/commands.hpp"
 #include "case/reading/case_reader.hpp"
-#include "models/program/provenance.hpp"
-#include "models/registry.hpp"
+#include "modelling/program/provenance.hpp"
+#include "modelling/registry.hpp"
 #include "result/quantities.hpp"
 #include "result/write/case_schema.hpp"
 

@@ -6,7 +6,7 @@
 #include "base/errors.hpp"
 #include "base/text_fields.hpp"
 #include "case/reading/case_reader.hpp"
-#include "models/solving/case_scenes.hpp"
+#include "modelling/solving/case_scenes.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/profile_format.hpp"

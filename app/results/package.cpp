@@ -4,9 +4,9 @@
 #include "app/frame/commands.hpp"
 #include "base/errors.hpp"
 #include "base/threads.hpp"
-#include "models/frame/waiting.hpp"
-#include "models/program/provenance.hpp"
-#include "models/registry.hpp"
+#include "modelling/frame/waiting.hpp"
+#include "modelling/program/provenance.hpp"
+#include "modelling/registry.hpp"
 #include "result/write/report.hpp"
 
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 
 #include "app/frame/commands.hpp"
 #include "base/errors.hpp"
-#include "models/program/provenance.hpp"
+#include "modelling/program/provenance.hpp"
 
 #include <fmt/format.h>
 

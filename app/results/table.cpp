@@ -2,7 +2,7 @@
 // The command `table`: the creep force law of a case's contact over scaled creepages and axis
 // ratios, or over lateral shifts of its wheelset, with error bars and interpolation errors.
 #include "app/frame/commands.hpp"
-#include "models/frame/parts.hpp"
+#include "modelling/frame/parts.hpp"
 #include "result/files/result_folder.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"

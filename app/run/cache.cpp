@@ -2,7 +2,7 @@
 // The command `rollfem cache`: the stored corrections of the model hybrid.
 #include "app/frame/commands.hpp"
 #include "base/errors.hpp"
-#include "models/caches/correction_cache.hpp"
+#include "modelling/caches/correction_cache.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include "case/keys/case_keys.hpp"
 #include "case/reading/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "models/registry.hpp"
+#include "modelling/registry.hpp"
 #include "profiles/profiles.hpp"
 #include "result/files/files_together.hpp"
 #include "result/write/output.hpp"

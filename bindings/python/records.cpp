@@ -3,7 +3,7 @@
 // the records of checkpoints.
 #include "base/errors.hpp"
 #include "bindings/python/bindings.hpp"
-#include "models/program/provenance.hpp"
+#include "modelling/program/provenance.hpp"
 #include "result/quantities.hpp"
 #include "result/record.hpp"
 #include "result/write/contents.hpp"

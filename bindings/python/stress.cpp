@@ -5,8 +5,8 @@
 #include "bindings/python/caller.hpp"
 #include "case/reading/case_reader.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
-#include "models/stress/body_sampler.hpp"
-#include "models/stress/corrected_stress.hpp"
+#include "modelling/stress/body_sampler.hpp"
+#include "modelling/stress/corrected_stress.hpp"
 #include "result/stress_extremes.hpp"
 #include "scene/geometry.hpp"
 

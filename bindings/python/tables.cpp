@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/python/caller.hpp"
-#include "models/program/provenance.hpp"
+#include "modelling/program/provenance.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/files/table_reader.hpp"
 #include "tables/filling/table_filling.hpp"

@@ -83,7 +83,7 @@ struct Refinement {
   RefinedInput (*level)(ModelInput input, int k, int n) = nullptr;
 };
 
-/// Role of a model in `auto`; each has a forecast (models/choice/laws.hpp).
+/// Role of a model in `auto`; each has a forecast (modelling/choice/laws.hpp).
 enum class Choosable { never, half_spaces, corrected_half_spaces, finite_bodies };
 
 struct ModelInfo {
@@ -106,10 +106,10 @@ struct ModelInfo {
   /// planes.
   bool joins_planes = false;
   bool parallel =
-      false;  ///< collective over MPI processes; needs a session (models/fem/fem_library.hpp)
+      false;  ///< collective over MPI processes; needs a session (modelling/fem/fem_library.hpp)
   bool built = true;  ///< this build has it
   /// Chooses another model and passes on its result and name, without a run of its own
-  /// (models/solving/auto_model.hpp).
+  /// (modelling/solving/auto_model.hpp).
   bool chooses = false;
   Choosable choosable = Choosable::never;
   bool measures_others = false;  ///< default references of `compare`, in this order

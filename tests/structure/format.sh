@@ -4,5 +4,5 @@
 # Call: format.sh SOURCE_DIR
 cd "$1" || exit 1
 command -v clang-format >/dev/null || { echo 'clang-format is not installed: skipped'; exit 77; }
-find base case scene result contact halfspace theories hybrid profiles track meshes fem models tables convert app bindings examples tests benchmarks -name '*.[ch]pp' -print0 |
+find base case scene result contact halfspace theories hybrid profiles track meshes fem modelling tables convert app bindings examples tests benchmarks -name '*.[ch]pp' -print0 |
   xargs -0 clang-format --dry-run -Werror

@@ -4,9 +4,9 @@
 base <- case <- scene <- result <- contact <- halfspace <- fem; result keeps results in files and knows no solver;
 theories stand on halfspace; hybrid knows halfspace and is given what fem finds; convert knows cases and closed forms;
 profiles and meshes know cases and scenes, no solver; track places profiles, finds their contacts and balances loads and
-rotation over them, for which it knows halfspace; models registers what solves, opens fem at run time, and
-chooses among models (of which models/choice knows results only); tables fills tables of creep forces and keeps them
-in files; app knows all; of the bindings, interface, which others build on, hands models on, and python
+rotation over them, for which it knows halfspace; modelling registers what solves, opens fem at run time, and
+chooses among models (of which modelling/choice knows results only); tables fills tables of creep forces and keeps them
+in files; app knows all; of the bindings, interface, which others build on, hands modelling on, and python
 stands on interface; capi, the C interface, knows the pair of track and files of tables; deal.II is seen in fem and
 in hybrid/correction, which is built into the library of fem.
 No model is told apart by its name: what differs is a property of its entry in the registry (contact/solve/model.hpp).
@@ -37,17 +37,17 @@ ALLOWED = {
     "fem": {**SOLVER, "halfspace": ANY, "meshes": ANY},
     "hybrid/correction": {**SOLVER, "halfspace": ANY, "fem": ANY, "hybrid": {""}},
     "hybrid": {**SOLVER, "halfspace": ANY},
-    "models/choice": {"base": ANY, "result": {""}},
-    "models": {**SOLVER, "result": ANY, "halfspace": ANY, "theories": ANY, "hybrid": ANY, "track": ANY,
+    "modelling/choice": {"base": ANY, "result": {""}},
+    "modelling": {**SOLVER, "result": ANY, "halfspace": ANY, "theories": ANY, "hybrid": ANY, "track": ANY,
                "fem": {"elasticity"}},
     "convert": {**SCENES, "halfspace": {"closed_forms"}},
     "tables/files": {"base": ANY, "case": ANY, "result": {"files", "hdf5"}},
     "tables": {**SOLVER, "halfspace": ANY, "track": ANY, "result": ANY},
-    "app": {**SOLVER, "result": ANY, "halfspace": ANY, "hybrid": ANY, "models": ANY, "convert": ANY, "meshes": ANY,
+    "app": {**SOLVER, "result": ANY, "halfspace": ANY, "hybrid": ANY, "modelling": ANY, "convert": ANY, "meshes": ANY,
             "profiles": ANY, "track": ANY, "tables": ANY, "theories": ANY, "fem": {"elasticity"}},
-    "bindings/interface": {**SOLVER, "result": ANY, "models": ANY},
+    "bindings/interface": {**SOLVER, "result": ANY, "modelling": ANY},
     "bindings/python": {**SOLVER, "result": ANY, "bindings": {"interface"}, "halfspace": {"closed_forms", "stress"},
-                        "profiles": ANY, "track": ANY, "models": ANY, "tables": ANY},
+                        "profiles": ANY, "track": ANY, "modelling": ANY, "tables": ANY},
     "bindings/capi": {**SOLVER, "track": {"pair"}, "tables": {"files"}},
 }
 # Rooms of a module, each of which may include those before it.
@@ -58,7 +58,7 @@ ROOMS = {
     "track": ["placement", "search", "motion", "balance", "pair"],
     "case": ["", "keys", "checks", "reading"],
     "result": ["", "files", "hdf5", "write"],
-    "models": ["program", "caches", "fem", "choice", "solving", "stress", "", "frame"],
+    "modelling": ["program", "caches", "fem", "choice", "solving", "stress", "", "frame"],
     "tables": ["files", "filling"],
     "app": ["frame", "input", "results", "run", ""],
 }
@@ -172,7 +172,7 @@ def self_test():
     assert verdict("fem/mesh/a.cpp", '"fem/linear/multigrid.hpp')
     assert verdict("hybrid/a.cpp", '"hybrid/correction/flat_twin.hpp')
     assert verdict("hybrid/a.cpp", "<deal.II/base/mpi.h")
-    assert verdict("bindings/capi/a.cpp", '"models/registry.hpp')
+    assert verdict("bindings/capi/a.cpp", '"modelling/registry.hpp')
     assert verdict("bindings/interface/rollfem/a.cpp", '"bindings/python/bindings.hpp')
     assert not verdict("bindings/python/a.cpp", '"bindings/interface/rollfem/rollfem.hpp')
     assert told_apart('if (model.name == "fem") {', {"fem"}) and told_apart('"fem" != name', {"fem"})

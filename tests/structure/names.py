@@ -7,7 +7,7 @@ import pathlib
 import re
 
 MODULES = ("base", "case", "scene", "result", "contact", "halfspace", "theories", "profiles", "track", "meshes", "fem",
-           "hybrid", "models", "tables", "convert", "app", "bindings")
+           "hybrid", "modelling", "tables", "convert", "app", "bindings")
 # Programs and entry points; sections of a case file (case_keys.hpp); formats of profiles (profile_format.hpp);
 # commands (app/frame/commands.hpp); parts of the modules of Python and C (bindings.hpp, rollfem.h).
 ENTRIES = re.compile(r"(^|/)main\.cpp$|^hybrid/correction/entry\.cpp$|^case/keys/keys_\w+\.cpp$"

@@ -8,7 +8,7 @@ import collections
 import re
 
 MODULES = ("base", "case", "scene", "result", "contact", "halfspace", "theories", "profiles", "track", "meshes", "fem",
-           "hybrid", "models", "postprocess", "tables", "convert", "app", "bindings", "benchmarks", "tests")
+           "hybrid", "modelling", "postprocess", "tables", "convert", "app", "bindings", "benchmarks", "tests")
 MOST_FILES = 25
 MOST_LINES = 600
 MOST_IN_FUNCTION = 70

@@ -3,7 +3,7 @@
 // under "Add a model". tests/cli/test_toy_model.py calls it.
 #include "app/program.hpp"
 #include "halfspace/halfspace_models.hpp"
-#include "models/registry.hpp"
+#include "modelling/registry.hpp"
 
 #include "support/power_law.hpp"
 

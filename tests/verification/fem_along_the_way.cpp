@@ -7,7 +7,7 @@
 #include "halfspace/model/halfspace_model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/hybrid_model.hpp"
-#include "models/registry.hpp"
+#include "modelling/registry.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/mpi_environment.hpp"
