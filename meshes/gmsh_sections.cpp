@@ -124,13 +124,13 @@ double distance(const SectionPoint& a, const SectionPoint& b) {
 struct BlockMesh {
   std::function<double(double)> height;  ///< of the surface over y, mm
   std::vector<double> columns;           ///< y, an odd number
-  int rows = 2;                          ///< even
-  double row_height = 1.0;               ///< mm, negative downwards
+  std::vector<double> depths;            ///< of the rows, mm along the surface's z; an odd number
   bool half = false;                     ///< the first column is the symmetry line
 
   SectionPoint point(int column, int row) const {
-    return {columns[column], height(columns[column]) + row * row_height};
+    return {columns[column], height(columns[column]) + depths[row]};
   }
+  int rows() const { return static_cast<int>(depths.size()) - 1; }
   int last_column() const { return static_cast<int>(columns.size()) - 1; }
   /// Nodes are numbered row by row.
   int at(int column, int row) const { return row * (last_column() + 1) + column; }
@@ -138,15 +138,15 @@ struct BlockMesh {
   Section section() const {
     Section result;
     const int columns = last_column();
-    for (int row = 0; row <= rows; ++row)
+    for (int row = 0; row <= rows(); ++row)
       for (int column = 0; column <= columns; ++column) result.points.push_back(point(column, row));
-    for (int row = 0; row < rows; ++row)
+    for (int row = 0; row < rows(); ++row)
       for (int column = 0; column < columns; ++column)
         result.quads.push_back(
             {at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)});
     for (int column = 0; column < columns; ++column)
       result.edges.push_back({{at(column, 0), at(column + 1, 0)}, Side::contact});
-    for (int row = 0; half && row < rows; ++row)
+    for (int row = 0; half && row < rows(); ++row)
       result.edges.push_back({{at(0, row), at(0, row + 1)}, Side::symmetry});
     return result;
   }
@@ -154,9 +154,9 @@ struct BlockMesh {
   /// In the order of lines_of().
   std::vector<int> around() const {
     std::vector<int> nodes;
-    for (int row = half ? rows : 0; row < rows; ++row) nodes.push_back(at(0, row));
-    for (int column = 0; column < last_column(); ++column) nodes.push_back(at(column, rows));
-    for (int row = rows; row >= 0; --row) nodes.push_back(at(last_column(), row));
+    for (int row = half ? rows() : 0; row < rows(); ++row) nodes.push_back(at(0, row));
+    for (int column = 0; column < last_column(); ++column) nodes.push_back(at(column, rows()));
+    for (int row = rows(); row >= 0; --row) nodes.push_back(at(last_column(), row));
     return nodes;
   }
 };
@@ -271,7 +271,9 @@ BlockMesh block_of(const SectionOptions& options, const ProfileNodes& nodes) {
         fmt::format("the finely meshed region needs {:.4g} mm of the depth {:.4g} mm of the "
                     "section: enlarge [fem] depth or extent",
                     rows * step, options.depth));
-  BlockMesh block{options.drop, {0.0}, 2 * rows, options.cell_size, options.half};
+  BlockMesh block{options.drop, {0.0}, {}, options.half};
+  for (int row = 0; row <= 2 * rows; ++row)
+    block.depths.push_back(options.row_depth(row * options.cell_size));
   for (std::size_t k = 0; k < nodes.fine; ++k) {
     block.columns.push_back(0.5 * (nodes.y[k] + nodes.y[k + 1]));
     block.columns.push_back(nodes.y[k + 1]);
@@ -297,7 +299,7 @@ class Around {
     add_equal({end, options.drop(end)}, {end, bottom}, coarse);
     add_equal({end, bottom}, {left, bottom}, coarse);
     if (options.half) {
-      add_graded(bottom, block.point(0, block.rows)[1], options.cell_size);
+      add_graded(bottom, block.point(0, block.rows())[1], options.cell_size);
     } else {
       add_equal({left, bottom}, {left, options.drop(left)}, coarse);
       for (std::size_t k = nodes.y.size() - 1; k > nodes.fine; --k)
@@ -410,13 +412,15 @@ Section mesh_section(const SectionOptions& options) {
 }
 
 BlockedSection mesh_true_section(const TrueSection& outline, const SectionBlock& given) {
-  BlockMesh block{given.height, {}, given.rows, outline.inwards * given.cell_size};
+  BlockMesh block{given.height, {}, {}};
+  for (int row = 0; row <= given.rows; ++row)
+    block.depths.push_back(outline.inwards * given.row_depth(row * given.cell_size));
   for (int column = -given.half_columns; column <= given.half_columns; ++column)
     block.columns.push_back(given.middle + column * given.cell_size);
   std::vector<SectionPoint> around_block;
-  for (int row = 0; row <= block.rows; ++row)
+  for (int row = 0; row <= block.rows(); ++row)
     for (int column = 0; column <= block.last_column(); ++column)
-      if (row == block.rows || column == 0 || column == block.last_column())
+      if (row == block.rows() || column == 0 || column == block.last_column())
         around_block.push_back(block.point(column, row));
   const auto length = [&](const SectionPoint& p) {
     double nearest = HUGE_VAL;

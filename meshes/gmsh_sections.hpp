@@ -28,7 +28,9 @@ struct SectionOptions {
   double fine_half_width = 5;  ///< mm, smallest extent of cells of cell_size along the profile
   double fine_depth = 2;       ///< mm, their smallest depth
   double cell_size = 1;        ///< mm, of the coarse cells in that fine block
-  bool half = false;           ///< only y >= 0
+  /// mm, of a row that equal rows have at the given depth.
+  std::function<double(double)> row_depth = [](double even) { return even; };
+  bool half = false;  ///< only y >= 0
 };
 
 /// A block of equal cells under the patch, quadrilaterals that grow from there to the outside.
@@ -43,7 +45,7 @@ struct BlockedSection {
   std::size_t block_quads = 0;
 };
 
-/// The block of equal cells under the patch: columns on a lattice of y, rows at equal z below the
+/// The block of equal cells under the patch: columns on a lattice of y, rows at z below the
 /// surface.
 struct SectionBlock {
   std::function<double(double)> height;  ///< z of the surface over y
@@ -51,6 +53,7 @@ struct SectionBlock {
   double cell_size = 1.0;                ///< mm
   int half_columns = 2;                  ///< to each side of the middle
   int rows = 2;                          ///< even
+  std::function<double(double)> row_depth = [](double even) { return even; };  ///< as above
 };
 
 /// The whole section; its points are y and z. Edges: `contact` on top of the block, `fixed` on the

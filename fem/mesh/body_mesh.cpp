@@ -47,7 +47,7 @@ void check(const SurfaceShape& shape, const BodyOptions& options) {
   needs(options.half_length ? "length" : "extent", options.reach_s(), options.fine_half_length);
   needs(options.half_width ? "width" : "extent", options.reach_t(), options.fine_half_width);
   needs(options.depth ? "depth" : "extent", options.reach_depth(),
-        options.fine_depth * options.cell_size);
+        options.rows.depth(options.fine_depth * options.cell_size));
   if (options.middle - options.fine_half_width < shape.lower_t() - 1e-9 ||
       options.middle + options.fine_half_width > shape.upper_t() + 1e-9)
     throw contact::InputError(
@@ -68,14 +68,6 @@ void check(const SurfaceShape& shape, const BodyOptions& options) {
   };
   holds(options.half_length ? "length" : "extent", options.reach_s());
   holds(options.depth ? "depth" : options.half_width ? "width" : "extent", inwards);
-}
-
-/// Coarse cells are cubes of cell_size * 2^level near the patch.
-int coarse_level(const BodyOptions& options) {
-  const double reach = std::min({options.reach_s(), options.reach_t(), options.reach_depth()});
-  int level = 0;
-  while (level < deepest_level && options.cell_size * std::exp2(level + 1) <= reach / 6) ++level;
-  return level;
 }
 
 double sum(const std::vector<double>& steps) {
@@ -107,16 +99,16 @@ void mark_boundaries(const BodyOptions& options, Triangulation& mesh) {
     }
 }
 
-/// The coarse box in (s, t, w), w = depth for the wheel and -depth for the rail so that cells stay
-/// right-handed, then mapped to space.
+/// The coarse box in (s, t, w), w = even depth for the wheel and minus that for the rail so that
+/// cells stay right-handed, then mapped to space.
 void make_structured_mesh(const SurfaceShape& shape, const BodyOptions& options,
                           Triangulation& mesh) {
   const double first = options.cell_size * std::exp2(coarse_level(options));
   using meshes::outward_steps;
   const auto along = outward_steps(first, options.fine_half_length, options.reach_s());
   const auto across = outward_steps(first, options.fine_half_width, options.reach_t());
-  const auto down =
-      outward_steps(first, options.fine_depth * options.cell_size, options.reach_depth());
+  const auto down = outward_steps(first, options.fine_depth * options.cell_size,
+                                  options.rows.even(options.reach_depth()));
   const std::vector<std::vector<double>> steps{both_ways(along),
                                                options.half ? across : both_ways(across),
                                                shape.is_wheel ? down : reversed(down)};
@@ -127,13 +119,15 @@ void make_structured_mesh(const SurfaceShape& shape, const BodyOptions& options,
   dealii::GridGenerator::subdivided_hyper_rectangle(mesh, steps, lower, upper);
   mark_boundaries(options, mesh);
   dealii::GridTools::transform(
-      [&shape](const dealii::Point<3>& p) { return shape.place(p[0], p[1], std::abs(p[2])); },
+      [&](const dealii::Point<3>& p) {
+        return shape.place(p[0], p[1], options.rows.depth(std::abs(p[2])));
+      },
       mesh);
   mesh.set_all_manifold_ids(0);
-  mesh.set_manifold(0, surface_manifold(shape));
+  mesh.set_manifold(0, surface_manifold(shape, options.rows));
 }
 
-/// Distance between a cell and the fine region, 0 where they touch or overlap.
+/// Distance between a cell and the fine region in even depth, 0 where they touch or overlap.
 double distance_to_fine_region(const BodyOptions& options, const ChartBox& box) {
   const double fine[3] = {options.fine_half_length, options.fine_half_width,
                           options.fine_depth * options.cell_size};
@@ -152,7 +146,8 @@ bool refine_once(const SurfaceShape& shape, const BodyOptions& options, Triangul
   int flagged = 0;
   for (const auto& cell : mesh.active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
-    const auto box = chart_box(shape, cell);
+    ChartBox box = chart_box(shape, cell);
+    for (auto* corner : {&box.lower, &box.upper}) (*corner)[2] = options.rows.even((*corner)[2]);
     double size = 0.0;
     for (unsigned int d = 0; d < 3; ++d) size = std::max(size, box.upper[d] - box.lower[d]);
     const double distance = distance_to_fine_region(options, box);
@@ -222,6 +217,15 @@ double cells_of(const BodyOptions& options, const ChartBox& box, int depth, doub
 
 }  // namespace
 
+/// Coarse cells are cubes of cell_size * 2^level near the patch, below thin rows flatter ones.
+int coarse_level(const BodyOptions& options) {
+  double largest = std::min({options.reach_s(), options.reach_t(), options.reach_depth()}) / 6;
+  if (!options.rows.equal_rows()) largest = std::min(largest, options.rows.step());
+  int level = 0;
+  while (level < deepest_level && options.cell_size * std::exp2(level + 1) <= largest) ++level;
+  return level;
+}
+
 double predicted_unknowns(const BodyOptions& given, double enough) {
   BodyOptions options = given;
   options.middle = 0.0;  // a body and its mirror image are counted as one
@@ -230,7 +234,8 @@ double predicted_unknowns(const BodyOptions& given, double enough) {
   const std::vector<double> steps[3] = {
       meshes::outward_steps(first, options.fine_half_length, options.reach_s()),
       meshes::outward_steps(first, options.fine_half_width, options.reach_t()),
-      meshes::outward_steps(first, options.fine_depth * options.cell_size, options.reach_depth())};
+      meshes::outward_steps(first, options.fine_depth * options.cell_size,
+                            options.rows.even(options.reach_depth()))};
   // degree^3 nodes per cell in a large mesh; the outside, steps between cell sizes and octree
   // balance add a quarter (measured from 1.88 to 0.47 mm on case a: 0.79 to 0.81 without).
   const double of_cell = 1.25 * 3.0 * std::pow(options.degree, 3);
@@ -261,7 +266,8 @@ void make_mesh(const SurfaceShape& shape, const BodyOptions& options, Triangulat
   const int level = coarse_level(options);
   if (options.family == MeshFamily::gmsh) {
     const auto make = [&] { return gmsh_mesh(shape, options, level); };
-    create_triangulation(on_all_processes(mesh.get_communicator(), make), shape, mesh);
+    create_triangulation(on_all_processes(mesh.get_communicator(), make), shape, options.rows,
+                         mesh);
     refine_given_mesh(shape, options, mesh);
   } else {
     make_structured_mesh(shape, options, mesh);
@@ -273,7 +279,7 @@ void refine_coarse_mesh(const SurfaceShape& shape, const BodyOptions& options,
                         const CoarseBody& coarse, const dealii::Mapping<3>& mapping,
                         Triangulation& mesh) {
   check_sizes(options);
-  create_triangulation(coarse, shape, mesh);
+  create_triangulation(coarse, shape, options.rows, mesh);
   refine_given_mesh(shape, options, mesh);
   check_refined_cells(mapping, mesh);
 }

@@ -22,6 +22,9 @@ void refine_coarse_mesh(const SurfaceShape& shape, const BodyOptions& options,
                         const CoarseBody& coarse, const dealii::Mapping<3>& mapping,
                         Triangulation& mesh);
 
+/// Level of the finest cells above the coarse ones of a segment.
+int coarse_level(const BodyOptions& options);
+
 /// Estimated number of unknowns of a body with these options, by counting cells without creating a
 /// mesh (within 15 % in the family `structured`). Counting stops at `enough`.
 double predicted_unknowns(const BodyOptions& options, double enough);

@@ -2,6 +2,7 @@
 // Parameters of a body's mesh, and its boundary numbers.
 #pragma once
 
+#include "fem/mesh/graded_depth.hpp"
 #include "meshes/hex_mesh.hpp"
 #include "scene/scene.hpp"
 
@@ -32,11 +33,12 @@ struct BodyOptions {
   double extent = 60;           ///< mm, half length, half width and depth of the segment
   bool half = false;            ///< only t >= 0, symmetry plane t = 0
   int degree = 2;
-  double fine_depth = 2;  ///< depth of the fine region below the surface, in cells
+  double fine_depth = 2;  ///< depth of the fine region below the surface, in rows of cells
   double growth = 1;      ///< cells may be cell_size + growth * distance from the fine region
   double speed = 0;       ///< mm/s, rolling speed: inertia in the stiffness (rolling_inertia.hpp)
   bool yields = false;    ///< plastic flow: its volume must not change, see projects_dilatation()
-  double plastic_depth = 0;  ///< of the streamlines that may yield, in cells
+  double plastic_depth = 0;  ///< of the streamlines that may yield, in rows of cells
+  GradedDepth rows;          ///< where they are; cells are as long and wide as without
   MeshFamily family = MeshFamily::structured;
   std::optional<double> half_length = std::nullopt;  ///< mm, instead of extent along s
   std::optional<double> half_width = std::nullopt;   ///< mm, instead of extent along t

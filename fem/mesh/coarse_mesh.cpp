@@ -243,14 +243,15 @@ bool is_charted(const SurfaceShape& shape, const dealii::CellAccessor<3>& cell) 
 constexpr dealii::types::manifold_id on_surface = 0, about_axle = 1;
 
 /// Faces between both kinds of cells belong to the cells at the surface.
-void set_manifolds(const SurfaceShape& shape, const std::vector<bool>& follows_surface,
+void set_manifolds(const SurfaceShape& shape, const GradedDepth& rows,
+                   const std::vector<bool>& follows_surface,
                    dealii::Triangulation<3>& triangulation) {
   const bool everywhere = follows_surface.empty();
   if (!everywhere && shape.is_revolved() && shape.profile) {
     triangulation.set_all_manifold_ids(about_axle);
     triangulation.set_manifold(about_axle, axle_manifold(shape));
   }
-  triangulation.set_manifold(on_surface, surface_manifold(shape));
+  triangulation.set_manifold(on_surface, surface_manifold(shape, rows));
   for (const auto& cell : triangulation.cell_iterators_on_level(0))
     if (everywhere ? is_charted(shape, *cell)
                    : follows_surface[static_cast<std::size_t>(cell->index())])
@@ -266,6 +267,7 @@ CoarseBody gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, int 
   section.depth = options.reach_depth();
   section.fine_half_width = options.fine_half_width;
   section.fine_depth = options.fine_depth * options.cell_size;
+  section.row_depth = [&options](double even) { return options.rows.depth(even); };
   section.half = options.half;
   section.cell_size = options.cell_size * std::exp2(level);
   // The block of equal cells must leave space for the others.
@@ -294,13 +296,17 @@ CoarseBody true_section_mesh(const meshes::TrueSection& outline, const SurfaceSh
       std::min(options.middle - shape.lower_t(), shape.upper_t() - options.middle) + 1e-9;
   meshes::SectionBlock block;
   block.height = [&shape](double t) { return shape.height(t).value; };
+  block.row_depth = [&options](double even) { return options.rows.depth(even); };
   block.middle = options.middle;
+  const double most_rows =
+      options.rows.equal_rows() ? contact::infinity : options.rows.step() * (1.0 + 1e-9);
   CoarseBody best;
   double best_quality = 0.0;
   std::string complaint = "no block of cells fits under the patch";
   for (int level = deepest_level_of_section; level >= 0; --level) {
     block.cell_size = options.cell_size * std::exp2(level);
-    if (level > 0 && block.cell_size > std::min(largest_coarse_cell, options.fine_half_width))
+    if (level > 0 &&
+        block.cell_size > std::min({largest_coarse_cell, options.fine_half_width, most_rows}))
       continue;
     block.half_columns = std::max(
         1,
@@ -364,7 +370,7 @@ CoarseBody user_mesh(const std::string& path, const std::string& name, const Sur
 }
 
 void create_triangulation(const CoarseBody& coarse, const SurfaceShape& shape,
-                          dealii::Triangulation<3>& triangulation) {
+                          const GradedDepth& rows, dealii::Triangulation<3>& triangulation) {
   std::vector<dealii::Point<3>> points;
   for (const auto& p : coarse.mesh.points) points.push_back(as_point(p));
   std::vector<dealii::CellData<3>> cells;
@@ -380,7 +386,7 @@ void create_triangulation(const CoarseBody& coarse, const SurfaceShape& shape,
   }
   dealii::GridTools::consistently_order_cells(cells);
   triangulation.create_triangulation(points, cells, sides);
-  set_manifolds(shape, coarse.follows_surface, triangulation);
+  set_manifolds(shape, rows, coarse.follows_surface, triangulation);
 }
 
 HexMesh hex_mesh(const dealii::Triangulation<3>& triangulation) {

@@ -34,10 +34,10 @@ CoarseBody true_section_mesh(const meshes::TrueSection& outline, const SurfaceSh
 CoarseBody user_mesh(const std::string& path, const std::string& name, const SurfaceShape& shape,
                      const BodyOptions& options);
 
-/// Creates cells, boundary ids, and the chart as manifold where it is one to one (not across the
-/// axle of a whole wheel) and, if only some cells follow the surface, in these.
+/// Creates cells, boundary ids, and the chart with these rows as manifold where it is one to one
+/// (not across the axle of a whole wheel) and, if only some cells follow the surface, in these.
 void create_triangulation(const CoarseBody& coarse, const SurfaceShape& shape,
-                          dealii::Triangulation<3>& triangulation);
+                          const GradedDepth& rows, dealii::Triangulation<3>& triangulation);
 
 /// The reverse, from the coarsest level.
 meshes::HexMesh hex_mesh(const dealii::Triangulation<3>& triangulation);

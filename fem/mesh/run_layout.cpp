@@ -3,6 +3,7 @@
 
 #include "base/count.hpp"
 #include "base/errors.hpp"
+#include "fem/mesh/body_mesh.hpp"
 #include "fem/mesh/surface_shape.hpp"
 
 #include <fmt/format.h>
@@ -178,6 +179,41 @@ double depth_of_stress(double part, double poisson_ratio, bool line) {
   return depth;
 }
 
+/// Height of the cells at the surface, mm; 0: equal rows. Friction makes steel flow in a thin
+/// layer.
+double first_row(const Scene& scene, const PatchBox& patch) {
+  constexpr double part = 0.02;  // of the smaller semi-axis
+  return scene.friction_coefficient() > 0.0 ? part * patch.smaller() : 0.0;
+}
+
+/// Rows of fine cells and of streamlines that may yield down to this depth, mm.
+void set_depths(double depth, BodyOptions& options) {
+  const double h = options.cell_size;
+  const auto rows = [&](double to) { return std::ceil(options.rows.even(to) / h - 1e-6); };
+  options.plastic_depth = rows(depth);
+  // Below, plastic strain is small and smooth: cells may grow.
+  constexpr double fine_part = 0.7;
+  options.fine_depth = std::max(rows(fine_part * options.rows.depth(options.plastic_depth * h)),
+                                options.rows.reach() / h);
+}
+
+/// Of bodies with a first row of this height (mm) the one with the fewest unknowns: larger coarse
+/// cells outside, or a closer fit of the rows.
+BodyOptions with_thin_rows(double first, double depth, const BodyOptions& equal) {
+  constexpr int most_at_once = 8;
+  BodyOptions best;
+  double fewest = contact::infinity;
+  for (int at_once = most_at_once; at_once > 1; at_once /= 2) {
+    BodyOptions options = equal;
+    options.rows = GradedDepth(first, options.cell_size, at_once);
+    set_depths(depth, options);
+    const double unknowns = predicted_unknowns(options, fewest);
+    if (unknowns < fewest) best = options;
+    fewest = std::min(fewest, unknowns);
+  }
+  return best;
+}
+
 }  // namespace
 
 BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& both) {
@@ -200,10 +236,9 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
   };
   options.fine_half_length = extended(options.fine_half_length, patch.half_length + 0.35 * depth);
   options.fine_half_width = extended(options.fine_half_width, patch.half_width + 0.25 * depth);
-  options.plastic_depth = std::ceil(extent * depth / h - 1e-6);
-  // Below, plastic strain is small and smooth: cells may grow.
-  constexpr double fine_part = 0.7;
-  options.fine_depth = std::ceil(fine_part * options.plastic_depth);
+  set_depths(extent * depth, options);
+  const double first = first_row(scene, patch);
+  if (first > 0.0 && first < h) options = with_thin_rows(first, extent * depth, options);
   return options;
 }
 

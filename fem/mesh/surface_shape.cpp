@@ -150,10 +150,15 @@ dealii::DerivativeForm<1, 3, 3> MeansInChart::push_forward_gradient(
   return gradient;
 }
 
-MeansInChart surface_manifold(const SurfaceShape& shape) {
-  return {
-      [shape](const dealii::Point<3>& place) { return shape.coordinates(place); },
-      [shape](const dealii::Point<3>& chart) { return shape.place(chart[0], chart[1], chart[2]); }};
+MeansInChart surface_manifold(const SurfaceShape& shape, const GradedDepth& rows) {
+  return {[shape, rows](const dealii::Point<3>& place) {
+            dealii::Point<3> chart = shape.coordinates(place);
+            chart[2] = rows.even(chart[2]);
+            return chart;
+          },
+          [shape, rows](const dealii::Point<3>& chart) {
+            return shape.place(chart[0], chart[1], rows.depth(chart[2]));
+          }};
 }
 
 MeansInChart axle_manifold(const SurfaceShape& wheel) {

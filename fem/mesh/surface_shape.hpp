@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/profile_drop.hpp"
+#include "fem/mesh/graded_depth.hpp"
 #include "meshes/true_section.hpp"
 #include "scene/contact_surface.hpp"
 
@@ -127,8 +128,8 @@ class MeansInChart : public dealii::ChartManifold<3, 3, 3> {
  private:
   Map to_chart_, to_space_;
 };
-/// Keeps nodes on the true surface.
-MeansInChart surface_manifold(const SurfaceShape& shape);
+/// Keeps nodes on the true surface, and in the depths of these rows.
+MeansInChart surface_manifold(const SurfaceShape& shape, const GradedDepth& rows = {});
 /// Circles about the axle of a wheel, straight lines in its section: for the parts of a body
 /// outside the chart of its surface. Coordinates: angle about the axle (rad), y and z of the point
 /// rotated back to x = 0 (mm).

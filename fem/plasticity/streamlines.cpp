@@ -91,8 +91,8 @@ struct Streamlines::Implementation {
   void add(const dealii::DoFHandler<3>::active_cell_iterator& cell) {
     const ChartBox box = chart_box(body.shape(), cell);
     const auto across = between(box.lower[1], box.upper[1], lattice.across[0], lattice.width());
-    const auto down =
-        between(box.lower[2], box.upper[2], 0, 2 * static_cast<std::size_t>(lattice.down));
+    const auto down = between(lattice.rows.even(box.lower[2]), lattice.rows.even(box.upper[2]), 0,
+                              2 * static_cast<std::size_t>(lattice.down));
     if (across[0] >= across[1] || down[0] >= down[1]) return;
     shape.reinit(cell);
     const double rear = lattice.along[0] * lattice.cell, front = lattice.along[1] * lattice.cell;
@@ -132,7 +132,8 @@ struct Streamlines::Implementation {
     if (!unit || (source == Source::point && volumes[from] != 0.0)) return;
     const auto map = manifold.push_forward_gradient(chart);
     const double stretch = std::abs(dealii::determinant(dealii::Tensor<2, 3>(map)));
-    const double volume = 0.25 * lattice.cell * lattice.cell * length * stretch;
+    const double height = lattice.cell * lattice.rows.stretch(lattice.rows.even(depth));
+    const double volume = 0.25 * height * lattice.cell * length * stretch;
     if (source == Source::point) volumes[from] = volume;
     const double sine = sine_at(s, chart[1]);
     slots.push_back({from, source, volume, sine, *unit, chart[2]});

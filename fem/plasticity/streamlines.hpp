@@ -14,13 +14,14 @@
 
 namespace rollfem::fem {
 
-/// A box of lattice cells in (s, t, depth), each with 2 x 2 x 2 Gauss points. Strain is plastic on
-/// streamlines through this box alone. Material enters at its largest s.
+/// A box of lattice cells in (s, t, even depth), each with 2 x 2 x 2 Gauss points. Strain is
+/// plastic on streamlines through this box alone. Material enters at its largest s.
 struct StreamLattice {
   double cell = 0.0;            ///< mm
   std::array<int, 2> along{};   ///< first and end, in cells
   std::array<int, 2> across{};  ///< the same
-  int down = 0;                 ///< cells below the surface
+  int down = 0;                 ///< rows of cells below the surface
+  GradedDepth rows;             ///< their depths
 
   /// Points of a streamline, from the leading one.
   std::size_t stations() const { return 2 * static_cast<std::size_t>(along[1] - along[0]); }
@@ -30,11 +31,12 @@ struct StreamLattice {
   std::size_t points() const { return stations() * streams(); }
   /// Of the section behind the load that results show: a cell before the trailing end.
   std::size_t section_station() const { return stations() - 3; }
-  double place(int first, std::size_t point) const;  ///< mm, of a point counted from a cell
+  /// mm, of a point counted from a cell; down: even depth
+  double place(int first, std::size_t point) const;
   double s(std::size_t station) const { return place(along[0], stations() - 1 - station); }  ///< mm
   /// t and depth, mm.
   std::array<double, 2> section(std::size_t stream) const {
-    return {place(across[0], stream % width()), place(0, stream / width())};
+    return {place(across[0], stream % width()), rows.depth(place(0, stream / width()))};
   }
 };
 

@@ -75,6 +75,7 @@ StreamLattice lattice_of(const BodyOptions& options) {
   const int middle = cells(options.middle), wide = within(options.fine_half_width);
   lattice.across = {options.half ? 0 : middle - wide, middle + wide};
   lattice.down = within(options.plastic_depth * h);
+  lattice.rows = options.rows;
   return lattice;
 }
 
@@ -183,7 +184,7 @@ class YieldingBody {
           "across to both sides, {:.3g} mm deep",
           body_.shape().is_wheel ? "wheel" : "rail", where, body_.options().fine_half_length,
           body_.options().fine_half_width,
-          body_.options().plastic_depth * body_.options().cell_size));
+          body_.options().rows.depth(body_.options().plastic_depth * body_.options().cell_size)));
     };
     for (std::size_t stream = 0; stream < all; ++stream) {
       const double gained = now_.leaving[stream].accumulated - before_.leaving[stream].accumulated;

@@ -32,8 +32,8 @@ using Eigen::MatrixXcd;
 /// reaches a third of their period.
 constexpr int waves = 12;
 
-/// Layers of cells, 2^8: the longest wave has decayed to 1e-20 there.
-constexpr int doublings = 8;
+/// Layers of cells, 2^8 of cubes: the longest wave has decayed to 1e-20 there.
+constexpr int doublings_of_cubes = 8;
 
 /// One column of cells under a contact element, its sides joined with the phase of a wave.
 class Column {
@@ -107,7 +107,7 @@ class Column {
 
   /// Stiffness of the upper nodes of all layers, with the lowest nodes fixed: nodes in between are
   /// eliminated, and two equal stacks form the next one.
-  static MatrixXcd surface_stiffness(const MatrixXcd& layer, Index n) {
+  MatrixXcd surface_stiffness(const MatrixXcd& layer, Index n) const {
     const Index inner = layer.rows() - 2 * n;
     const Index low = layer.rows() - n;
     MatrixXcd top = layer.topLeftCorner(n, n);
@@ -123,6 +123,9 @@ class Column {
       coupling -= to_top * from_bottom;
       bottom -= to_bottom * from_bottom;
     }
+    const double flat = lattice_.cell_size[0] / lattice_.cell_size[2];
+    const int doublings =
+        doublings_of_cubes + static_cast<int>(std::ceil(std::max(0.0, std::log2(flat))));
     for (int k = 0; k < doublings; ++k) {
       const auto between = (bottom + top).eval().ldlt();
       const MatrixXcd from_above = between.solve(coupling.adjoint());

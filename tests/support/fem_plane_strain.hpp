@@ -17,8 +17,10 @@ struct SlabOptions {
   double extent = 10.0;                 ///< to the clamped ends and bottom
   int ahead = 2, behind = 2, deep = 2;  ///< of the material points
   bool wheel = false;
-  double wide = 0.0;    ///< half of the patch across; 0: plane strain
-  double growth = 1.3;  ///< of cells outwards
+  double wide = 0.0;       ///< half of the patch across; 0: plane strain
+  double growth = 1.3;     ///< of cells outwards
+  double first_row = 0.0;  ///< height of the cells at the surface; 0: equal rows
+  int at_once = 8;         ///< rows that the largest cells cover
 };
 
 /// Half-width 1 mm, pressure sqrt(1 - x^2) MPa as far across as the patch is wide.
@@ -26,12 +28,18 @@ inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) 
   const double h = 1.0 / options.per_half_width;
   const auto along = meshes::outward_steps(h, std::max(options.ahead, options.behind),
                                            options.extent, options.growth);
+  fem::GradedDepth rows;
+  if (options.first_row > 0.0) rows = fem::GradedDepth(options.first_row, h, options.at_once);
   std::vector<double> z{0.0};
-  for (const double step : meshes::outward_steps(h, options.deep, options.extent, options.growth))
+  double even = 0.0;
+  for (const double step : meshes::outward_steps(h, rows.even(options.deep),
+                                                 rows.even(options.extent), options.growth)) {
+    even += step;
     if (options.wheel)
-      z.push_back(z.back() + step);
+      z.push_back(rows.depth(even));
     else
-      z.insert(z.begin(), z.front() - step);
+      z.insert(z.begin(), -rows.depth(even));
+  }
   const bool plane = options.wide == 0.0;
   std::vector<double> y{0.0};
   for (const double step : meshes::outward_steps(
@@ -52,9 +60,10 @@ inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) 
   body.fine_half_length = options.ahead - 0.5 * h;  // no cell beyond is refined
   body.fine_half_width = h;
   body.extent = options.extent + options.wide;
-  const int rows = plane ? 1 : static_cast<int>(std::lround(options.wide / h));
+  body.rows = rows;
+  const int strips = plane ? 1 : static_cast<int>(std::lround(options.wide / h));
   const auto grid = contact::ContactGrid::centred(2 * ((5 * options.per_half_width + 3) / 4),
-                                                  2 * rows, h, h, 0.0, 0.0);
+                                                  2 * strips, h, h, 0.0, 0.0);
   const auto below = [](double x) {  // integral of the pressure
     x = std::clamp(x, -1.0, 1.0);
     return 0.5 * (x * std::sqrt(1.0 - x * x) + std::asin(x));
@@ -65,8 +74,9 @@ inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) 
   lattice.cell = h;
   lattice.along = {-options.behind * options.per_half_width,
                    options.ahead * options.per_half_width};
-  lattice.across = {0, plane ? 1 : rows + 1};
-  lattice.down = options.deep * options.per_half_width;
+  lattice.across = {0, plane ? 1 : strips + 1};
+  lattice.down = static_cast<int>(std::ceil(rows.even(options.deep) / h - 1e-6));
+  lattice.rows = rows;
   // A wheel so large that its tread is flat: it leaves the plane by 2e-5 mm at 20 mm.
   constexpr double flat = 1e7;
   const auto shape =

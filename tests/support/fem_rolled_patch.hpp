@@ -13,6 +13,8 @@ struct PatchOptions {
   double reach = 1.5;  ///< of the material points ahead, behind and down
   double extent = 10.0;
   double wheel_radius = 0.0;  ///< mm; 0: a rail
+  double first_row = 0.0;     ///< height of the cells at the surface; 0: equal rows
+  int at_once = 8;            ///< rows that the largest cells cover
 };
 
 /// Pressure sqrt(1 - x^2 - (y / half_width)^2) MPa.
@@ -26,7 +28,8 @@ inline std::unique_ptr<RolledBody> rolled_patch(const PatchOptions& options = {}
   body.half = true;
   body.fine_half_length = options.reach;
   body.fine_half_width = wide;
-  body.fine_depth = cells(options.reach);
+  if (options.first_row > 0.0) body.rows = fem::GradedDepth(options.first_row, h, options.at_once);
+  body.fine_depth = std::ceil(body.rows.even(options.reach) * per - 1e-6);
   body.extent = options.extent;
   const auto grid = contact::ContactGrid::centred(2 * cells(1.25), 2 * cells(wide), h, h, 0.0, 0.0);
   const contact::Field pressure = grid.sample([&](double x, double y) {
@@ -44,7 +47,8 @@ inline std::unique_ptr<RolledBody> rolled_patch(const PatchOptions& options = {}
   lattice.cell = h;
   lattice.along = {-cells(options.reach), cells(options.reach)};
   lattice.across = {0, cells(wide)};
-  lattice.down = cells(options.reach);
+  lattice.down = static_cast<int>(body.fine_depth);
+  lattice.rows = body.rows;
   const auto shape = options.wheel_radius > 0.0
                          ? wheel_shape(options.wheel_radius, contact::infinity)
                          : rail_shape(contact::infinity);
