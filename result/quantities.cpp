@@ -220,11 +220,12 @@ std::vector<Quantity> of_the_passes() {
        "strain: the rate of ratchetting",
        Scale::value, Use::stored, at<&P::net_plastic_increment>()},
       {"residual_stress", "largest residual compression", "", "MPa",
-       "largest compressive residual stress along rolling below the running band after the pass",
+       "largest compressive residual stress along rolling below the running band after the pass; of "
+       "pressed bodies in the section through the middle of the contact",
        Scale::value, Use::stored, at<&P::residual_stress>()},
       {"groove_depth", "depth of the groove", "", "mm",
-       "deepest place of the groove that plastic strain has left in the surface", Scale::value,
-       Use::stored, at<&P::groove_depth>()},
+       "deepest place of the groove (imprint) that plastic strain has left in the surface",
+       Scale::value, Use::stored, at<&P::groove_depth>()},
       {"forward_flow", "forward flow", "", "mm",
        "displacement of the surface along rolling by plastic strain where it is largest, positive "
        "along +x",

@@ -137,7 +137,7 @@ void check_bounds(const ValidatedPoint& at) {
 
 void check_balance(const ValidatedPoint& at) {
   const NormalLoad& load = at.load;
-  if (!load.force) return;
+  if (!load.force || *load.force == 0.0) return;
   const PointResult& point = at.point;
   const double carried =
       load.direction[0] * point.lateral_force + load.direction[1] * point.normal_force;
@@ -150,7 +150,7 @@ void check_balance(const ValidatedPoint& at) {
 
 /// Bodies under load must have a positive approach.
 void check_approach(const ValidatedPoint& at) {
-  if (!at.touching || at.point.approach > 0.0) return;
+  if (!at.touching || at.point.approach > 0.0 || at.load.force == 0.0) return;
   refuse(at, fmt::format("the bodies have come together by {:.4g} mm and carry {:.6g} N; allowed: "
                          "more than 0; do: please report this case, it is a defect of the program",
                          at.point.approach, at.point.normal_force));
@@ -239,8 +239,9 @@ bool ends_with_grid(const Scene& scene, const ContactGrid& grid) {
 void check_point(const ValidatedPoint& at) {
   check_scalars(at);
   check_fields(at);
+  const bool pressed = at.load.force != 0.0;
   if (has_grid(at)) {
-    check_fineness(at);
+    if (pressed) check_fineness(at);
     check_held(at);
   }
   check_bounds(at);

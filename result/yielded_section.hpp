@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What one pass of a load leaves in a body that yields: the section behind the load, and what
-// becomes of it with further passes.
+// becomes of it with further passes. A step of a body that is pressed, not rolled over, has the
+// same: its section is below the middle of the contact, its verdict that of the step.
 #pragma once
 
 #include "base/members.hpp"
@@ -20,11 +21,14 @@ enum class YieldVerdict {
                       ///< that all further cycles together leave at most 5 % of the strain of one
   ratchetting,        ///< strain grows with every cycle, about as much
   settling,           ///< it still changes from cycle to cycle
+  yields,             ///< when pressed: more in this step
+  holds,              ///< when pressed: not in this step
 };
 
 constexpr const char* word_of(YieldVerdict verdict) {
-  constexpr std::array<const char*, 5> words{"elastic", "elastic shakedown", "plastic shakedown",
-                                             "ratchetting", "settling"};
+  constexpr std::array<const char*, 7> words{
+      "elastic", "elastic shakedown", "plastic shakedown", "ratchetting", "settling",
+      "yields",  "nothing new yields"};
   return words[static_cast<std::size_t>(verdict)];
 }
 
@@ -60,7 +64,8 @@ struct YieldedSection {
                "increment of the cycle that is judged"),
         member("cycle_net_increment", &S::cycle_net_increment, "-", "the same of net_increment"),
         member("plastic_strain", &S::plastic_strain, "-", "largest accumulated plastic strain"),
-        member("plastic_work", &S::plastic_work, "N", "N mm per mm of track"),
+        member("plastic_work", &S::plastic_work, "N",
+               "N mm per mm of track; of a step of a pressed body N mm"),
         member("utilisation", &S::utilisation, "-",
                "largest von Mises stress over the yield surface, during the pass"),
         member("residual", &S::residual, "-",
@@ -78,7 +83,7 @@ struct YieldedSection {
         member("groove", &S::groove, "mm",
                "plastic displacement of the surface, negative into the body"),
         member("forward_flow", &S::forward_flow, "mm",
-               "plastic displacement of the surface along rolling"));
+               "plastic displacement of the surface along rolling; of a pressed body empty"));
   }
 };
 

@@ -305,6 +305,20 @@ void repeat_load_points(const GivenCase& given, Case& input) {
   repeat(input.wheelset.rotation_change);
 }
 
+/// Without load only bodies that have yielded tell anything.
+void check_unloaded_steps(const GivenCase& given, const Case& input) {
+  const auto unloaded = [](const HistoryStep& step) { return step.normal_force == 0.0; };
+  const auto& steps = input.history;
+  if (std::none_of(steps.begin(), steps.end(), unloaded)) return;
+  if (!input.yields() || input.rolling.problem != Problem::shift)
+    fail_at(given, "history.normal_force", "takes the load away from bodies that do not yield",
+            "above 0 N, or 0 with the problem shift and [rail_plasticity] or [wheel_plasticity]",
+            "give a small force instead");
+  if (std::all_of(steps.begin(), steps.end(), unloaded))
+    fail_at(given, "history.normal_force", "is 0 in all steps", "a force above 0 N in one of them",
+            "give the force that presses the bodies");
+}
+
 void check_hardening_law(const GivenCase& given, const std::string& section,
                          const HardeningLaw& law, const BodyPlasticity& steel) {
   constexpr double beyond_all_strain = 1e12;
@@ -541,12 +555,13 @@ void complete(const GivenCase& given, Case& input) {
       auto& residual = body->plasticity->residual;
       extend({&residual.depth, &residual.along, &residual.across});
     }
-  if (input.yields()) repeat_load_points(given, input);
+  if (input.yields() && problem != Problem::shift) repeat_load_points(given, input);
 }
 
 void check_values(const GivenCase& given, const Case& input) {
   if (input.wheel.plasticity) check_plasticity(given, "wheel", *input.wheel.plasticity);
   if (input.rail.plasticity) check_plasticity(given, "rail", *input.rail.plasticity);
+  check_unloaded_steps(given, input);
   check_rigid(given, input);
   check_friction(given, input);
   check_fall(given, input);

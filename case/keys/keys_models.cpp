@@ -150,7 +150,7 @@ void add_passes(FemKeys& keys) {
       "that the state that repeats is reached in about half the passes; plastic strain is then "
       "that of no number of passes, only its increments count.");
   keys.add("plastic_extent", &FemOptions::plastic_extent, between(0.5, 10.0),
-           "Extent of the streamlines that may yield, relative to the usual one (as deep as "
+           "Extent of the region that may yield, relative to the usual one (as deep as "
            "elastic stress exceeds the yield stress); it grows where steel yields at its border.");
 }
 

@@ -28,8 +28,8 @@ void check_problem(const NormalOperator& compliance, const NormalProblem& proble
   if (start.size() != 0 && start.size() != n)
     throw SolveError("normal problem: the pressure to start from is on another grid");
   if (problem.normal_force &&
-      !(*problem.normal_force > 0.0 && std::isfinite(*problem.normal_force)))
-    throw SolveError(fmt::format("no contact: the normal force is {} N; allowed: above 0",
+      !(*problem.normal_force >= 0.0 && std::isfinite(*problem.normal_force)))
+    throw SolveError(fmt::format("no contact: the normal force is {} N; allowed: 0 and above",
                                  *problem.normal_force));
   const double smallest = problem.undeformed_distance.minCoeff();
   if (problem.approach && !(*problem.approach > smallest && std::isfinite(*problem.approach)))
@@ -39,11 +39,21 @@ void check_problem(const NormalOperator& compliance, const NormalProblem& proble
                     *problem.approach, smallest));
 }
 
+/// Bodies without load that just touch.
+NormalSolution touching(const Field& distance) {
+  NormalSolution result;
+  result.pressure = Field::Zero(distance.size());
+  result.approach = distance.minCoeff();
+  result.gap = distance.array() - result.approach;
+  return result;
+}
+
 }  // namespace
 
 NormalSolution solve_normal(const NormalOperator& compliance, const NormalProblem& problem,
                             const NormalOptions& options, const Field& start) {
   check_problem(compliance, problem, start);
+  if (problem.normal_force == 0.0) return touching(problem.undeformed_distance);
   const double area = compliance.grid().element_area();
   BoundConstrainedCg iteration;
   NormalSolution result;

@@ -17,14 +17,17 @@ Preconditioner refitted(const SolvableCompliance& halfspace, UpwindOrder order,
           coupled};
 }
 
-/// The approach for a given force makes the mean gap under pressure vanish. The residual of an
-/// outer iteration does not contain this mean, which on a few elements may be the whole error.
+/// The approach for a given force makes the mean gap under pressure vanish, without load the
+/// smallest one. The residual of an outer iteration does not contain this mean, which on a few
+/// elements may be the whole error.
 void close_mean_gap(const PointProblem& problem, NormalSolution& normal) {
   const VerticalFrame& frame = problem.frame;
   const Field pressed = (normal.pressure.array() > 0.0).cast<double>();
   const Field to_vertical = frame.plane() ? Field(Field::Ones(pressed.size())) : frame.to_vertical;
-  const double mean =
-      normal.gap.cwiseProduct(to_vertical).dot(pressed) / std::max(1.0, pressed.sum());
+  const Field vertical = normal.gap.cwiseProduct(to_vertical);
+  const double mean = *problem.load.force > 0.0
+                          ? vertical.dot(pressed) / std::max(1.0, pressed.sum())
+                          : vertical.minCoeff();
   normal.gap -= mean * to_vertical.cwiseInverse();
   normal.approach += frame.plane() ? mean : mean * problem.load.direction[1];
 }

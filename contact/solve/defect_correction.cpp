@@ -80,21 +80,21 @@ SurfaceField tractions(const ContactState& solution) {
   return {solution.tangential.traction.x, solution.tangential.traction.y, solution.normal.pressure};
 }
 
-/// Distance of the defect from its image over the contact area: the normal part relative to the
-/// elastic displacement (less its mean, which the approach absorbs at given force), the tangential
-/// part as slip relative to the creepage load.
+/// Distance of the defect from its image over the contact area, without load over the grid: the
+/// normal part relative to the elastic displacement (less its mean, which the approach absorbs at
+/// given force), the tangential part as slip relative to the creepage load.
 double defect_residual(const Preconditioner& preconditioner, const PointProblem& problem,
                        const ContactState& solution, const Response& defect, bool to_the_bound) {
-  const Field mask = (solution.normal.pressure.array() > 0.0).cast<double>();
+  Field mask = (solution.normal.pressure.array() > 0.0).cast<double>();
+  if (problem.load.force == 0.0) mask.setOnes();
   const Response& image = solution.defect;
   Field normal_change = image.displacement.n - defect.displacement.n;
   if (problem.load.force) {
     const double mean = normal_change.dot(mask) / std::max(1.0, mask.sum());
     normal_change.array() -= mean;
   }
-  double residual = problem.presses()
-                        ? rms_over(mask, normal_change) / rms_over(mask, solution.displacement.n)
-                        : 0.0;
+  const double size = rms_over(mask, solution.displacement.n);
+  double residual = problem.presses() && size > 0.0 ? rms_over(mask, normal_change) / size : 0.0;
   if (problem.shares_load())
     residual = std::max(residual,
                         std::abs(force_along_load(preconditioner.whole.grid(), problem, solution) /
@@ -115,7 +115,7 @@ double defect_residual(const Preconditioner& preconditioner, const PointProblem&
                                                          preconditioner.whole.grid(), pressure)));
   // Differences within the rounding of the displacements count as zero.
   const double unit = preconditioner.motion == Motion::shift ? 1.0 : preconditioner.whole.grid().dx;
-  const double rounding = 1e-12 * rms_over(mask, solution.displacement.n) / unit;
+  const double rounding = 1e-12 * size / unit;
   if (load > rounding) residual = std::max(residual, change / load);
   return residual;
 }

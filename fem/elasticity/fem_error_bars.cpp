@@ -198,7 +198,9 @@ bool set_error_bars(const Scene& scene, std::vector<ModelResult>& levels) {
     PointResult& fine = levels[last].points[k];
     const PointResult& coarse = levels[last - 1].points[k];
     const PointResult* coarsest = last > 1 ? &levels[last - 2].points[k] : nullptr;
-    if (beside && beside->complete()) {
+    if (fine.max_pressure == 0.0) {  // unloaded: only what plastic strain has left
+      fine.error_estimate["approach"] += std::abs(fine.approach - coarse.approach);
+    } else if (beside && beside->complete()) {
       set_point_bars(scene, k, *beside, levels);
     } else {
       const auto left_out = fine.error_estimate;

@@ -55,13 +55,34 @@ double default_extent(const Scene& scene, const PatchBox& patch) {
   return extent;
 }
 
+/// How much longer and wider than between elastic bodies the patch becomes where a body is pressed
+/// until it yields all over the contact: it bears a mean pressure of at least 2.3 times its yield
+/// stress (up to three; Johnson 1985, section 6.3), the softer one of two bodies.
+double growth_by_yielding(const Scene& scene) {
+  constexpr double least_mean = 2.3, mean_part = 2.0 / 3.0;
+  if (!scene.is_history()) return 1.0;
+  double area = 1.0;
+  for (const auto& steel : {scene.wheel.plasticity, scene.rail.plasticity})
+    if (steel)
+      area = std::max(area, mean_part * PatchSearch(scene).patch().max_pressure /
+                                (least_mean * (steel->yield_stress + std::min(0.0, steel->rise))));
+  return std::sqrt(area);
+}
+
+PatchBox expected_box(const Scene& scene) {
+  PatchBox box = PatchSearch(scene).box();
+  const double growth = growth_by_yielding(scene);
+  for (double* length : {&box.half_length, &box.half_width, &box.half_loaded}) *length *= growth;
+  return box;
+}
+
 /// The part of the surface that contact elements cover, without margin: contact_grid.extent, or the
 /// expected patch.
-PatchBox covered(const Scene& scene, const PatchSearch& search) {
-  PatchBox box = search.box();
+PatchBox covered(const Scene& scene) {
+  PatchBox box = expected_box(scene);
   const contact::GridOptions& grid = scene.contact_grid;
   if (!grid.extent) return box;
-  search.check_extent();
+  PatchSearch(scene).check_extent();
   box.half_length = 0.5 * (*grid.extent)[0] + std::abs(grid.middle[0]);
   box.half_width = 0.5 * (*grid.extent)[1];
   box.middle = grid.middle[1];
@@ -123,7 +144,7 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
   options.fine_half_width = std::max(reach * patch.half_width, 0.5 * grid.ny * grid.dy);
   options.middle = patch.middle;
   options.extent = scene.options.fem.extent.value_or(
-      std::max(default_extent(scene, PatchSearch(scene).box()),
+      std::max(default_extent(scene, expected_box(scene)),
                2.0 * std::max(options.fine_half_length, options.fine_half_width)));
   options.half = scene.is_symmetric() && patch.middle == 0.0;
   options.degree = scene.options.fem.degree;
@@ -137,12 +158,12 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
 
 double default_cell_size(const Scene& scene) {
   return scene.options.fem.cell_size ? *scene.options.fem.cell_size
-                                     : PatchSearch(scene).box().smaller() / 8.0;
+                                     : expected_box(scene).smaller() / 8.0;
 }
 
 RunLayout run_layout(const Scene& scene, double cell) {
   RunLayout layout;
-  layout.patch = covered(scene, PatchSearch(scene));
+  layout.patch = covered(scene);
   // Aligns with the lattice; the displacement is added on both sides.
   const double exact = layout.patch.middle;
   layout.patch.middle = std::round(exact / cell) * cell;
@@ -221,9 +242,10 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
   BodyOptions options = both;
   options.yields = body.plasticity.has_value();
   if (!options.yields) return options;
-  const PatchBox patch = PatchSearch(scene).box();
-  const double part =
-      body.plasticity->shear_yield_stress() / PatchSearch(scene).patch().max_pressure;
+  const PatchBox patch = expected_box(scene);
+  const double part = body.plasticity->shear_yield_stress() *
+                      std::pow(growth_by_yielding(scene), 2) /
+                      PatchSearch(scene).patch().max_pressure;
   const double nu = body.material.poisson_ratio, roundness = patch.smaller() / patch.larger();
   // Plastic flow of the first passes reaches deeper than the elastic stress.
   constexpr double deeper = 1.2;

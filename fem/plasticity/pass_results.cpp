@@ -32,9 +32,10 @@ std::array<double, 2> stress_before(const PlasticLaw& law, double depth) {
           over_depth(residual.depth, residual.across, depth)};
 }
 
-std::vector<Place> section_places(const Body& body, const Streamlines& streamlines, bool surface) {
+std::vector<Place> section_places(const Body& body, const Streamlines& streamlines,
+                                  std::size_t station, bool surface) {
   std::vector<Place> places;
-  const double s = streamlines.s(streamlines.section_station());
+  const double s = streamlines.s(station);
   const std::size_t count = surface ? streamlines.width() : streamlines.streams();
   for (std::size_t stream = 0; stream < count; ++stream) {
     const auto [t, depth] = streamlines.section(stream);
@@ -71,12 +72,17 @@ Deviator initial_strain(const PlasticLaw& law, double depth) {
 }
 
 PassResults::PassResults(const Body& body, const PlasticLaw& law, const Streamlines& streamlines,
-                         int cycle)
-    : body_(body), law_(law), streamlines_(streamlines), recovery_(body), cycle_(cycle) {
+                         int cycle, bool pressed)
+    : body_(body),
+      law_(law),
+      streamlines_(streamlines),
+      station_(pressed ? streamlines.stations() / 2 : streamlines.section_station()),
+      recovery_(body),
+      cycle_(cycle) {
   const BodyLocator locator(body);
   const double reach = body.options().cell_size;
-  places_ = locator.find(section_places(body, streamlines, false), reach);
-  surface_ = locator.find(section_places(body, streamlines, true), reach);
+  places_ = locator.find(section_places(body, streamlines, station_, false), reach);
+  surface_ = locator.find(section_places(body, streamlines, station_, true), reach);
 }
 
 YieldedSection PassResults::after_pass(const PassReport& report, const YieldedBody& before,
@@ -93,7 +99,11 @@ YieldedSection PassResults::after_pass(const PassReport& report, const YieldedBo
   for (const PlasticState& out : after.leaving)
     section.plastic_strain = std::max(section.plastic_strain, out.accumulated);
   judge(after, section);
-  fields_ = streamlines_.at_nodes(after.plastic, after.accumulated, before.leaving, after.leaving,
+  // Nothing enters and leaves a body that is pressed.
+  const std::vector<PlasticState> untouched(after.pressed() ? streamlines_.streams() : 0);
+  const auto& entering = after.pressed() ? untouched : before.leaving;
+  const auto& leaving = after.pressed() ? untouched : after.leaving;
+  fields_ = streamlines_.at_nodes(after.plastic, after.accumulated, entering, leaving,
                                   [&](double depth) { return stress_before(law_, depth); });
   fields_.displacement = after.displacement;
   fields_.displacement.update_ghost_values();
@@ -121,6 +131,8 @@ void PassResults::judge(const YieldedBody& after, YieldedSection& section) {
     verdict = verdict_.value_or(verdict);
   else if (section.plastic_strain == 0.0)
     verdict = YieldVerdict::elastic;
+  else if (after.pressed())
+    verdict = increment_ <= nothing * yield_strain ? YieldVerdict::holds : YieldVerdict::yields;
   else if (increment_ <= nothing * yield_strain)
     verdict = YieldVerdict::elastic_shakedown;
   else if (net_increment_ <= nothing * yield_strain ||
@@ -135,6 +147,7 @@ void PassResults::judge(const YieldedBody& after, YieldedSection& section) {
   section.cycle = cycle_;
   section.cycle_increment = increment_;
   section.cycle_net_increment = net_increment_;
+  if (cycle_ended()) cycle_start_.clear();
 }
 
 void PassResults::fill_section(const YieldedBody& after, YieldedSection& section) {
@@ -143,15 +156,16 @@ void PassResults::fill_section(const YieldedBody& after, YieldedSection& section
   const auto stress = stress_at(places_, fields_.residual);
   for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream) {
     const auto [y, depth] = streamlines_.section(stream);
+    const PlasticState& state =
+        after.leaving[after.pressed() ? stream * streamlines_.stations() + station_ : stream];
     section.y.push_back(y);
     section.depth.push_back(depth);
-    section.strain.push_back(single(after.leaving[stream].strain));
-    section.accumulated.push_back(static_cast<float>(after.leaving[stream].accumulated));
-    section.stress.push_back(
-        single(streamlines_.in_section(stress[stream], streamlines_.section_station(), stream)));
+    section.strain.push_back(single(state.strain));
+    section.accumulated.push_back(static_cast<float>(state.accumulated));
+    section.stress.push_back(single(streamlines_.in_section(stress[stream], station_, stream)));
   }
   const auto moved = surface_.values(after.displacement, {1, 1, 1});
-  const double s = streamlines_.s(streamlines_.section_station());
+  const double s = streamlines_.s(station_);
   const double outwards = body_.shape().is_wheel ? -1.0 : 1.0;
   for (std::size_t j = 0; j < streamlines_.width(); ++j) {
     const double y = streamlines_.section(j)[0];
@@ -159,14 +173,34 @@ void PassResults::fill_section(const YieldedBody& after, YieldedSection& section
     const dealii::Tensor<1, 3> u({moved[j][0], moved[j][1], moved[j][2]});
     section.surface_y.push_back(y);
     section.groove.push_back(outwards * (u * frame[2]));
-    section.forward_flow.push_back(u * frame[0]);
+    if (!after.pressed()) section.forward_flow.push_back(u * frame[0]);
   }
 }
 
+namespace {
+
+/// Of a body that is pressed, not rolled over.
+bool is_pressed(const YieldedSection& section) {
+  return section.forward_flow.empty();
+}
+
+double imprint_of(const YieldedSection& section) {
+  return -*std::min_element(section.groove.begin(), section.groove.end());
+}
+
+}  // namespace
+
 std::string verdict_note(const YieldedSection& section, int passes) {
-  std::string text = fmt::format("the {} after {} pass{}: {}", section.body, passes,
-                                 passes == 1 ? "" : "es", word_of(section.verdict));
-  if (section.from_pass < passes) text += fmt::format(" since pass {}", section.from_pass);
+  const char* one = is_pressed(section) ? "step" : "pass";
+  std::string text =
+      fmt::format("the {} after {} {}{}: {}", section.body, passes, one,
+                  passes == 1 ? "" : (is_pressed(section) ? "s" : "es"), word_of(section.verdict));
+  if (section.from_pass < passes) text += fmt::format(" since {} {}", one, section.from_pass);
+  if (is_pressed(section))
+    return section.plastic_strain == 0.0
+               ? text
+               : text + fmt::format(", plastic strain up to {:.2g}, an imprint {:.3g} mm deep",
+                                    section.plastic_strain, imprint_of(section));
   const std::string cycle =
       section.cycle == 1 ? "pass" : fmt::format("cycle of {} points", section.cycle);
   const bool grows = section.verdict == YieldVerdict::ratchetting;
@@ -189,10 +223,12 @@ void sum_up(contact::PointResult& point) {
   for (const YieldedSection& section : point.yielded) {
     largest(point.plastic_strain, section.plastic_strain);
     largest(point.plastic_increment, section.increment);
-    largest(point.net_plastic_increment, section.net_increment);
-    point.plastic_work = point.plastic_work.value_or(0.0) + section.plastic_work;
+    if (!is_pressed(section)) {
+      largest(point.net_plastic_increment, section.net_increment);
+      point.plastic_work = point.plastic_work.value_or(0.0) + section.plastic_work;
+    }
     for (const auto& stress : section.stress) largest(point.residual_stress, -stress[0]);
-    for (const double groove : section.groove) largest(point.groove_depth, -groove);
+    largest(point.groove_depth, imprint_of(section));
     for (const double flow : section.forward_flow)
       if (std::abs(flow) >= std::abs(point.forward_flow.value_or(0.0))) point.forward_flow = flow;
   }

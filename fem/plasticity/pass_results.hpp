@@ -18,9 +18,10 @@ Deviator initial_strain(const PlasticLaw& law, double depth);
 
 class PassResults {
  public:
-  /// `cycle`: load points after which they repeat. Other arguments must outlive this object.
-  /// Collective.
-  PassResults(const Body& body, const PlasticLaw& law, const Streamlines& streamlines, int cycle);
+  /// `cycle`: load points after which they repeat; `pressed`: they are steps without rolling. Other
+  /// arguments must outlive this object. Collective.
+  PassResults(const Body& body, const PlasticLaw& law, const Streamlines& streamlines, int cycle,
+              bool pressed);
   /// Collective.
   contact::YieldedSection after_pass(const PassReport& report, const YieldedBody& before,
                                      const YieldedBody& after);
@@ -39,6 +40,7 @@ class PassResults {
   const Body& body_;
   const PlasticLaw& law_;
   const Streamlines& streamlines_;
+  std::size_t station_;  ///< of the section
   StressRecovery recovery_;
   BodyPoints places_;   ///< of the section's streamlines
   BodyPoints surface_;  ///< above them

@@ -53,36 +53,41 @@ class Patience {
   int without_progress_ = 0;
 };
 
-/// Follows every streamline from its inflow through the total strain.
+/// Follows every path through the total strain: streamlines from their inflow, or the single points
+/// of a pressed body from the step before.
 class Flow {
  public:
   Flow(const Streamlines& streamlines, const PlasticLaw& law, const std::vector<Deviator>& elastic,
-       const std::vector<PlasticState>& entering, int steps)
+       const YieldedBody& before, int steps)
       : streamlines_(streamlines),
         law_(law),
         elastic_(elastic),
-        entering_(entering),
-        steps_(steps) {
+        entering_(before.leaving),
+        from_(before.strain),
+        steps_(steps),
+        stations_(before.pressed() ? 1 : streamlines.stations()) {
     plastic.resize(streamlines.points());
     accumulated.resize(streamlines.points());
-    leaving.resize(streamlines.streams());
-    work_.resize(streamlines.streams());
-    utilisation_.resize(streamlines.streams());
+    leaving.resize(entering_.size());
+    work_.resize(entering_.size());
+    utilisation_.resize(entering_.size());
+    if (before.pressed()) untouched_.resize(streamlines.streams());
   }
 
   /// Through the elastic strain and that of `displacement`; returns the load of plastic strain.
   void follow(const Vector& displacement, Vector& load) {
-    const std::vector<Deviator> added = streamlines_.strains(displacement);
-    contact::for_each_index(streamlines_.streams(), [&](std::size_t stream) {
-      PlasticState state = entering_[stream];
-      double& work = work_[stream] = 0.0;
-      double& most = utilisation_[stream] = 0.0;
-      Deviator before{};
-      for (std::size_t i = 0; i < streamlines_.stations(); ++i) {
-        const std::size_t k = stream * streamlines_.stations() + i;
-        const Deviator total = sum(elastic_[k], 1.0, added[k]);
+    strain = streamlines_.strains(displacement);
+    const bool pressed = !from_.empty();
+    contact::for_each_index(entering_.size(), [&](std::size_t path) {
+      PlasticState state = entering_[path];
+      double& work = work_[path] = 0.0;
+      double& most = utilisation_[path] = 0.0;
+      Deviator before = pressed ? from_[path] : Deviator{};
+      for (std::size_t i = 0; i < stations_; ++i) {
+        const std::size_t k = path * stations_ + i;
+        const Deviator& total = strain[k] = sum(elastic_[k], 1.0, strain[k]);
         const Deviator strain_before = state.strain;
-        law_.advance(state, before, total, i == 0 ? 1 : steps_);
+        law_.advance(state, before, total, i == 0 && !pressed ? 1 : steps_);
         before = total;
         work += streamlines_.volume(k) *
                 product(law_.stress(state, total), sum(state.strain, -1.0, strain_before));
@@ -90,21 +95,22 @@ class Flow {
         plastic[k] = state.strain;
         accumulated[k] = state.accumulated;
       }
-      leaving[stream] = state;
+      leaving[path] = state;
     });
-    streamlines_.load(plastic, entering_, leaving, load);
+    streamlines_.load(plastic, pressed ? untouched_ : entering_, pressed ? untouched_ : leaving,
+                      load);
   }
 
-  /// N mm per mm of track, in what was followed last.
+  /// In what was followed last, see PassReport.
   double plastic_work() const {
-    return std::accumulate(work_.begin(), work_.end(), 0.0) /
-           (streamlines_.s(0) - streamlines_.s(2)) * 2.0;
+    const double sum = std::accumulate(work_.begin(), work_.end(), 0.0);
+    return from_.empty() ? sum / (streamlines_.s(0) - streamlines_.s(2)) * 2.0 : sum;
   }
 
   double utilisation() const { return *std::max_element(utilisation_.begin(), utilisation_.end()); }
 
   std::vector<PlasticState> leaving;
-  std::vector<Deviator> plastic;
+  std::vector<Deviator> plastic, strain;
   std::vector<double> accumulated;
 
  private:
@@ -112,7 +118,10 @@ class Flow {
   const PlasticLaw& law_;
   const std::vector<Deviator>& elastic_;
   const std::vector<PlasticState>& entering_;
+  const std::vector<Deviator>& from_;  ///< empty: the load rolls
   int steps_;
+  std::size_t stations_;                 ///< of a path
+  std::vector<PlasticState> untouched_;  ///< beyond the points of a pressed body
   std::vector<double> work_, utilisation_;
 };
 
@@ -129,10 +138,18 @@ YieldedBody before_first_pass(const Streamlines& streamlines, const Body& body) 
   return untouched;
 }
 
+YieldedBody before_first_step(const Streamlines& streamlines, const Body& body,
+                              std::vector<Deviator> strain) {
+  YieldedBody untouched = before_first_pass(streamlines, body);
+  untouched.leaving.resize(streamlines.points());
+  untouched.strain = std::move(strain);
+  return untouched;
+}
+
 PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
                        const LinearSolver& solver, const std::vector<Deviator>& elastic,
                        const PassAccuracy& accuracy, YieldedBody& yielded) {
-  Flow flow(streamlines, law, elastic, yielded.leaving, accuracy.steps);
+  Flow flow(streamlines, law, elastic, yielded, accuracy.steps);
   const auto energy = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     const Eigen::Index n = a.size() / 2;
     return dealii::Utilities::MPI::sum(a.head(n).dot(b.tail(n)),
@@ -170,6 +187,7 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
   yielded.load = load;
   report.plastic_work = flow.plastic_work();
   report.utilisation = flow.utilisation();
+  if (yielded.pressed()) yielded.strain = std::move(flow.strain);
   yielded.leaving = std::move(flow.leaving);
   yielded.plastic = std::move(flow.plastic);
   yielded.accumulated = std::move(flow.accumulated);

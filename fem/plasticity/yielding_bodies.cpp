@@ -103,26 +103,29 @@ double relative_change(const std::vector<Deviator>& a, const std::vector<Deviato
 class YieldingBody {
  public:
   YieldingBody(const contact::BodyPlasticity& steel, const contact::FemOptions& options,
-               const Body& body, const LinearSolver& solver)
+               bool pressed, const Body& body, const LinearSolver& solver)
       : body_(body),
         solver_(solver),
         law_(steel, lame_mu(body.material())),
         streamlines_(body, lattice_of(body.options())),
-        results_(body, law_, streamlines_, options.cycle),
+        results_(body, law_, streamlines_, options.cycle, pressed),
         extrapolates_(options.limit_state),
         before_(before_first_pass(streamlines_, body)),
         now_(before_) {
     for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream)
       initial_.push_back(initial_strain(law_, streamlines_.section(stream)[1]));
+    if (pressed)
+      now_ = before_ =
+          before_first_step(streamlines_, body,
+                            with_initial(std::vector<Deviator>(streamlines_.points(), Deviator{})));
   }
 
   /// Solves the pass in question anew, from its last solution.
   PassReport pass(const Vector& elastic, bool counts) {
-    std::vector<Deviator> strain = streamlines_.strains(elastic);
-    for (std::size_t k = 0; k < strain.size(); ++k)
-      strain[k] = sum(strain[k], 1.0, initial_[k / streamlines_.stations()]);
+    std::vector<Deviator> strain = with_initial(streamlines_.strains(elastic));
     YieldedBody next = now_;
     next.leaving = before_.leaving;
+    next.strain = before_.strain;
     PassAccuracy accuracy;
     accuracy.residual = counts ? tight_residual
                                : std::clamp(part_of_change * relative_change(strain, last_strain_),
@@ -147,7 +150,7 @@ class YieldingBody {
   void exchange(contact::Record& record) {
     results_.exchange(record);
     limit_.exchange(record);
-    record.values(before_.leaving);
+    record.values(before_.leaving, before_.strain);
     for (Vector* vector : {&before_.displacement, &before_.load}) {
       std::vector<double> numbers(vector->begin(), vector->end());
       record.values(numbers);
@@ -163,6 +166,13 @@ class YieldingBody {
   const YieldedFields& fields() const { return results_.fields(); }
 
  private:
+  /// With the strain of the residual stress before.
+  std::vector<Deviator> with_initial(std::vector<Deviator> strain) const {
+    for (std::size_t k = 0; k < strain.size(); ++k)
+      strain[k] = sum(strain[k], 1.0, initial_[k / streamlines_.stations()]);
+    return strain;
+  }
+
   /// Deviator, MPa, on every streamline.
   std::vector<Deviator> residual_behind_load() const {
     const std::vector<Deviator> strain = streamlines_.strains(now_.displacement);
@@ -174,25 +184,31 @@ class YieldingBody {
     return stress;
   }
 
-  /// At the border of the lattice nothing may yield, except where the streamlines leave.
+  /// At the border of the lattice nothing may yield, except where streamlines leave.
   void refuse_beyond_streamlines() const {
     const std::size_t width = streamlines_.width(), all = streamlines_.streams();
     const double least = 1e-3 * law_.parameters().yield_stress / law_.shear_modulus();
     const auto refuse = [&](const char* where) {
       throw YieldsBeyondStreamlines(fmt::format(
-          "the {} yielded {} of the streamlines that may yield, {:.3g} mm along and {:.3g} mm "
+          "the {} yielded {} of the region that may yield, {:.3g} mm along and {:.3g} mm "
           "across to both sides, {:.3g} mm deep",
           body_.shape().is_wheel ? "wheel" : "rail", where, body_.options().fine_half_length,
           body_.options().fine_half_width,
           body_.options().rows.depth(body_.options().plastic_depth * body_.options().cell_size)));
     };
-    for (std::size_t stream = 0; stream < all; ++stream) {
-      const double gained = now_.leaving[stream].accumulated - before_.leaving[stream].accumulated;
+    for (std::size_t path = 0; path < now_.leaving.size(); ++path) {
+      const double gained = now_.leaving[path].accumulated - before_.leaving[path].accumulated;
       if (gained <= least) continue;
+      const std::size_t stream = now_.pressed() ? path / streamlines_.stations() : path;
       if (stream + width >= all) refuse("at the lower border");
       const bool left = stream % width == 0 && !body_.options().half;
       if (left || (stream + 1) % width == 0) refuse("at the lateral border");
       const std::size_t first = stream * streamlines_.stations();
+      if (now_.pressed()) {
+        if (path == first || path + 1 == first + streamlines_.stations())
+          refuse("at the border along");
+        continue;
+      }
       if (now_.accumulated[first] - before_.leaving[stream].accumulated > 0.05 * gained)
         refuse("at the leading border");
       if (now_.leaving[stream].accumulated -
@@ -219,8 +235,8 @@ YieldingBodies::YieldingBodies(const contact::Scene& scene, const BodyPair& bodi
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& steel = (k == 0 ? scene.wheel : scene.rail).plasticity;
     if (steel && bodies[k] != nullptr)
-      parts_[k] =
-          std::make_unique<YieldingBody>(*steel, scene.options.fem, *bodies[k], *solvers[k]);
+      parts_[k] = std::make_unique<YieldingBody>(*steel, scene.options.fem, scene.is_history(),
+                                                 *bodies[k], *solvers[k]);
   }
 }
 

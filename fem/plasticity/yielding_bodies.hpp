@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Wheel and rail that yield, pass after pass: what they add to the elastic displacement at the
-// contact and to the stress, and the results of each pass.
+// Wheel and rail that yield, pass after pass, or step after step where the load presses without
+// rolling: what they add to the elastic displacement at the contact and to the stress, and the
+// results of each pass.
+// A step is a pass to all names here.
 #pragma once
 
 #include "base/errors.hpp"

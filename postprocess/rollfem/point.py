@@ -146,9 +146,10 @@ class Point(Named):
     stress_maxima: Annotated[list[dict[str, Any]], "body, measure, value (MPa), place (mm)"]
     bodies: Annotated[Mapping[str, dict[str, np.ndarray]], "wheel and rail with points, cells, displacement and stress, for "
                       "finite elements only"]
-    yielded: Annotated[Mapping[str, dict[str, Any]], "wheel and rail that yield, after this pass of the load: "
-                       "verdict, from_pass, increment, ...; y, depth, accumulated [down, across], strain, stress [down, "
-                       "across, 6] of the section behind the load; surface_y, groove, forward_flow [across] (docs/results.md)"]
+    yielded: Annotated[Mapping[str, dict[str, Any]], "wheel and rail that yield, after this pass (step of a shift) of the "
+                       "load: verdict, from_pass, increment, ...; y, depth, accumulated [down, across], strain, stress [down, "
+                       "across, 6] of the section behind the load (below the middle of the contact); surface_y, groove, "
+                       "forward_flow [across; empty after a step] (docs/results.md)"]
     pass_work: Annotated[np.ndarray | None, "frictional work per pass and area of the rows [ny] of the grid, N/mm; its bar "
                          "is that of max_pass_work"]
     place: Annotated[dict[str, Any] | None, "of the patch, as of its ModelResult"]

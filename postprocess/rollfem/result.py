@@ -301,8 +301,9 @@ class Result(Written):
                    quantities={name: Quantity(*row) for name, *row in zip(*columns)},
                    profiles={(pair.attributes["wheel"], pair.attributes["position"]): dict(pair.entries) for pair in pairs}, **others)
         models = sorted(root.parts["models"].parts.items(), key=lambda item: int(item[1].attributes["order"]))
-        by_number = "load point" if made.inputs.get("rolling.problem") in ("shift", "transient") or made.prescribed_forces else ""
-        if any("yielded" in point.parts for _, model in models for point in model.parts["points"].parts.values()):
+        history = made.inputs.get("rolling.problem") in ("shift", "transient")
+        by_number = "load point" if history or made.prescribed_forces else ""
+        if not history and any("yielded" in point.parts for _, model in models for point in model.parts["points"].parts.values()):
             by_number = "pass"
         made.models = [ModelResult(key, model, by_number) for key, model in models]
         return made

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Bodies that yield, pass after pass: plastic strain of the passes, residual stress, the section behind the load, groove and
-forward flow, the passes in the shakedown map, and their table."""
+forward flow, the passes in the shakedown map, and their table. Of bodies that are pressed the same, step after step: the
+section lies below the middle of the contact, the groove is an imprint."""
 import math
 from html import escape
 
@@ -21,7 +22,8 @@ MOST_MARKED = 30  # of more passes, lines without markers
 VERDICTS = {"elastic": "nothing yields", "elastic shakedown": "no more plastic flow",
             "plastic shakedown": "the same cycle in every pass, closed but for at most {} of plastic strain",
             "ratchetting": "plastic strain grows by {} with every pass",
-            "settling": "still changes from pass to pass: more passes will tell"}
+            "settling": "still changes from pass to pass: more passes will tell",
+            "yields": "{} of plastic strain in the last step", "nothing new yields": "the last step is elastic"}
 
 
 def bodies(result):
@@ -29,6 +31,11 @@ def bodies(result):
     found = [(model, body) for model in result.models for body in ("wheel", "rail")
              if any(body in point.yielded for point in model.points)]
     return [(m, b) for m, b in found if m is found[0][0]]
+
+
+def one(result):
+    """"pass", or "step" of bodies that are pressed, not rolled over."""
+    return "step" if result.inputs.get("rolling.problem") == "shift" else "pass"
 
 
 def _stress_before(result, body):
@@ -44,12 +51,12 @@ def _passes(model, body):
     return [(point.number + 1, point, point.yielded[body]) for point in model.points if body in point.yielded]
 
 
-def _shown(model, body):
+def _shown(model, body, of="pass"):
     """[(look with a name, load point, body)] of a few passes: the first, the last, and in between."""
     passes = _passes(model, body)
     count = len(passes)
     wanted = sorted({0, min(count - 1, 1), round(math.sqrt(count - 1)), count - 1})
-    return [({"colour": colour, "dash": dash, "name": f"pass {n}"}, point, after)
+    return [({"colour": colour, "dash": dash, "name": f"{of} {n}"}, point, after)
             for (colour, dash), (n, point, after) in zip(PASSES, [passes[k] for k in wanted][::-1])][::-1]
 
 
@@ -62,21 +69,21 @@ def _band(model, point, after):
 
 
 def passes(result):
-    """Plastic strain of every pass and its lasting part. None if nothing yields."""
+    """Plastic strain of every pass (step) and its lasting part. None if nothing yields."""
     figure = Figure(2)
     for model, body in bodies(result):
         rows = _passes(model, body)
         last = rows[-1][2]
-        since = f" since pass {last['from_pass']}" if 1 < last["from_pass"] < rows[-1][0] else ""
-        panel = figure.add(400, 250, f"{body}: {last['verdict']}{since}", "pass", "plastic strain of the pass [-]")
+        since = f" since {one(result)} {last['from_pass']}" if 1 < last["from_pass"] < rows[-1][0] else ""
+        panel = figure.add(400, 250, f"{body}: {last['verdict']}{since}", one(result), f"plastic strain of the {one(result)} [-]")
         panel.y.log = True
         at = [n for n, *_ in rows]
         panel.x.limits = (0.5, at[-1] + 0.5)
         if len(at) < 12:
             panel.x.ticks = [(n, str(n)) for n in at]
         for name, words, look in (
-                ("increment", "in the pass, back and forth", {"colour": "blue", "width": 3.2, "marker": "o", "size": 5.5}),
-                ("net_increment", "of it lasting after the pass", {"colour": "red", "marker": "s", "size": 2.8})):
+                ("increment", f"in the {one(result)}, back and forth", {"colour": "blue", "width": 3.2, "marker": "o", "size": 5.5}),
+                ("net_increment", f"of it lasting after the {one(result)}", {"colour": "red", "marker": "s", "size": 2.8})):
             values = np.array([after[name] for *_, after in rows])
             panel.line(at, np.where(values > 0, values, np.nan), name=words,
                        **(look if len(at) <= MOST_MARKED else {**look, "marker": None}))
@@ -91,7 +98,7 @@ def passes(result):
 def residual_stress(result, model, body):
     """Residual stress over depth below the middle of the running band after a few passes."""
     figure = Figure(2)
-    shown, before = _shown(model, body), _stress_before(result, body)
+    shown, before = _shown(model, body, one(result)), _stress_before(result, body)
     for component, words in ((0, "along"), (1, "across")):
         panel = figure.add(300, 290, f"residual stress {words}", "stress [MPa], tension positive", DEPTH)
         panel.y.flipped, panel.y.margin = True, 0.0
@@ -103,7 +110,7 @@ def residual_stress(result, model, body):
         if before is not None:
             depth = shown[-1][2]["depth"][:, 0]
             panel.line(np.interp(depth, before[0], before[1 + component]), depth, "soft", 1.2, (1, 2),
-                       name="before the first pass")
+                       name=f"before the first {one(result)}")
     figure.entry(f"in the {body}")
     return figure
 
@@ -117,12 +124,12 @@ def _mirrored(after):
     return [np.concatenate([sign * part[:, ::-1], part], axis=1) for sign, part in zip((-1, 1, 1, 1, 1), parts)]
 
 
-def section(model, body):
+def section(result, model, body):
     """Maps of accumulated plastic strain, plastic shear strain and residual stress over the section behind the load after
     the last pass."""
     number_, _, after = _passes(model, body)[-1]
     y, depth, *fields = _mirrored(after)
-    figure = Figure(6, f"{body} after pass {number_}, seen along rolling", in_rows=True)
+    figure = Figure(6, f"{body} after {one(result)} {number_}, seen along rolling", in_rows=True)
     wide, high, said = np.ptp(y), depth.max(), []
     for name, unit, values in zip(("accumulated plastic strain", "plastic shear strain along rolling", "residual stress along"),
                                   ("%", "%", "MPa"), fields):
@@ -133,17 +140,19 @@ def section(model, body):
         panel.fit()
         colour_scale(figure, levels, step, panel.height)
         said.append(f"{name} {values.min():.3g} to {values.max():.3g} {unit}")
-    return figure.tell(f"Section of the {body} after pass {number_}: ", said)
+    return figure.tell(f"Section of the {body} after {one(result)} {number_}: ", said)
 
 
-def groove(model, body):
+def groove(result, model, body):
     """Plastic displacement of the surface over y after a few passes, into the body and along rolling."""
     figure = Figure(2)
-    panels = [figure.add(330, 200, title, ACROSS, "[µm]") for title in (
-        "groove: plastic displacement of the surface", "forward flow: the same along rolling")]
-    for panel, name in zip(panels, ("groove", "forward_flow")):
+    kinds = {"groove": "groove: plastic displacement of the surface", "forward_flow": "forward flow: the same along rolling"}
+    if one(result) == "step":
+        kinds = {"groove": "imprint: plastic displacement of the surface"}
+    for name, title in kinds.items():
+        panel = figure.add(330, 200, title, ACROSS, "[µm]")
         panel.level(0, dash=())
-        for look, _, after in _shown(model, body):
+        for look, _, after in _shown(model, body, one(result)):
             y, values = after["surface_y"], 1000 * after[name]
             if y.min() > 0:
                 y, values = np.concatenate([-y[::-1], y]), np.concatenate([values[::-1], values])
@@ -154,8 +163,8 @@ def groove(model, body):
 
 
 def shakedown_map(result):
-    """The passes in the shakedown map. None if nothing yields."""
-    found = [(model, body, k) for model, body in bodies(result)
+    """The passes in the shakedown map. None if nothing yields, or nothing rolls."""
+    found = one(result) == "pass" and [(model, body, k) for model, body in bodies(result)
              if (k := yield_shear_stress(result.inputs.get(f"{body}_plasticity.yield_stress", 0.0)))]
     if not found:
         return None
@@ -175,23 +184,28 @@ def shakedown_map(result):
 
 def captions(result):
     """(file name, caption, function that draws it) of the figures of bodies that yield."""
-    yield ("yielded_passes.svg", "Plastic strain of every pass, where it is largest: all of it, back and forth, and the part "
-           "that lasts after the pass. Elastic shakedown: both vanish; plastic shakedown: hardly anything lasts; ratchetting: the "
-           "same part lasts after every pass. Dotted: the yield strain, for comparison.", lambda: passes(result))
+    rolls = one(result) == "pass"
+    yield ("yielded_passes.svg", f"Plastic strain of every {one(result)}, where it is largest: all of it, back and forth, and the "
+           f"part that lasts after the {one(result)}. " + ("Elastic shakedown: both vanish; plastic shakedown: hardly anything "
+           "lasts; ratchetting: the same part lasts after every pass. " if rolls else "") + "Dotted: the yield strain, for "
+           "comparison.", lambda: passes(result))
     yield ("yielded_shakedown_map.svg", "The passes in the shakedown map, which holds for steel that does not harden: hardening "
            "raises its limits. The pressure falls while the bodies conform.", lambda: shakedown_map(result))
+    below, behind, done = ("middle of the running band", "behind the load", "groove with its lips, and displacement along "
+                           "rolling") if rolls else ("middle of the contact", "through the middle of the contact", "the imprint "
+                           "that stays without load, with its lips")
     for model, body in bodies(result):
-        yield (f"yielded_stress_{body}.svg", f"Residual stress in the {body}, over depth below the middle of the running band.",
+        yield (f"yielded_stress_{body}.svg", f"Residual stress in the {body}, over depth below the {below}.",
                lambda model=model, body=body: residual_stress(result, model, body))
-        yield (f"yielded_section_{body}.svg", f"Section of the {body} behind the load after the last pass. Shear strain: twice "
+        yield (f"yielded_section_{body}.svg", f"Section of the {body} {behind} after the last {one(result)}. Shear strain: twice "
                "the tensor's xz; its sign is that of the flow along rolling.",
-               lambda model=model, body=body: section(model, body))
-        yield (f"yielded_groove_{body}.svg", f"What plastic flow has done to the surface of the {body}: groove with its lips, and "
-               "displacement along rolling.", lambda model=model, body=body: groove(model, body))
+               lambda model=model, body=body: section(result, model, body))
+        yield (f"yielded_groove_{body}.svg", f"What plastic flow has done to the surface of the {body}: {done}.",
+               lambda model=model, body=body: groove(result, model, body))
 
 
-COLUMNS = ("max_pressure", "plastic_increment", "net_plastic_increment", "plastic_strain", "residual_stress", "groove_depth",
-           "forward_flow", "plastic_work")
+COLUMNS = ("normal_force", "max_pressure", "plastic_increment", "net_plastic_increment", "plastic_strain", "residual_stress",
+           "groove_depth", "forward_flow", "plastic_work")
 
 
 def passes_table(result):
@@ -199,8 +213,8 @@ def passes_table(result):
     found = bodies(result)
     if not found:
         return ""
-    model = found[0][0]
-    columns = [name for name in COLUMNS if name in result.quantities]
+    model, rolls = found[0][0], one(result) == "pass"
+    columns = [name for name in COLUMNS[rolls:] if any(name in p.scalars for p in model.points)]
     rows = [[number(p.number + 1), *(barred(p, name, 3) for name in columns),
              "<br>".join(f"{body}: {after['verdict']}" for body, after in p.yielded.items())]
             for p in map(model.at, load_points.shown_keys([model]))]
@@ -208,5 +222,7 @@ def passes_table(result):
     said = "".join(f"<p class=say>{escape(styles.label(model))}, {body}: {after['verdict']}; "
                    f"{VERDICTS[after['verdict']].format(number(after['cycle_net_increment'], 2))}.</p>"
                    for body, after in last.items())
-    return said + table(["pass", *(heading(result.quantities[name]) for name in columns), "verdict"], rows, frame="many") + hint(
-        "Largest values of both bodies; residual stress, groove and flow: of the section behind the load.")
+    return said + table([one(result), *(heading(result.quantities[name]) for name in columns), "verdict"], rows, frame="many") + hint(
+        "Largest values of both bodies; residual stress, groove and flow: of the section behind the load." if rolls else
+        "Largest values of both bodies; residual stress and imprint: what plastic strain alone leaves, in the section through the "
+        "middle of the contact. Once the load is 0, this is the state of the body.")
