@@ -41,24 +41,4 @@ enum class LeadingEdge {
   plain,   ///< at the border of the elements
 };
 
-/// Shape of the traction bound of brushes along a strip, t from -1 to 1 over its length.
-enum class BoundShape {
-  parabolic,  ///< 1 - t^2
-  elliptic,   ///< sqrt(1 - t^2)
-};
-
-/// Flexibilities of the brushes of FASTSIM.
-enum class Flexibilities {
-  three,  ///< L1, L2, L3: one for each creepage
-  one,    ///< Kalker's weighted mean, as in the paper of 1982
-};
-
-/// Position of the elements in FASTSIM's strips.
-enum class FastsimElements {
-  chord,  ///< every strip divided into equal elements: forces of order 2 for the parabolic bound
-          ///< without spin, 1.5 for the elliptic one, 1 with spin, which turns the slip
-  grid,   ///< elements of the bounding box whose centres lie in the ellipse, the first reached by a
-          ///< whole step, the spin a sixth of a step upstream, as in CONTACT: order one
-};
-
 }  // namespace rollfem::contact

@@ -17,6 +17,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/half_space_models.hpp"
 #include "tests/support/worn_pairs.hpp"
 #include <cctype>
 #include <cstdlib>
@@ -103,6 +104,7 @@ std::vector<Scene> worn_pairs(const std::vector<std::string>& words) {
 }
 
 std::vector<Scene> patches_of_case(const std::vector<std::string>& words) {
+  static_cast<void>(testing::half_space_models());  // whose keys the case may have
   std::vector<Scene> scenes;
   for (const track::PlacedScene& placed : track::make_scenes(contact::read_case(words[1])))
     for (const double cell : numbers_from<double>(words, 2))

@@ -62,8 +62,8 @@ void add_finite_elements(const Call& call, unsigned number, contact::Case input,
   constexpr double reach = 3.0;
   const halfspace::HertzContact hertz = halfspace::hertz_of_scene(contact::Scene(input));
   const double cell = std::min(hertz.semi_axis_x, hertz.semi_axis_y) / call.parts;
-  input.fem.cell_size = cell;
-  input.fem.extent = reach * std::max(hertz.semi_axis_x, hertz.semi_axis_y);
+  input.options.set<fem::FemOptions>().cell_size = cell;
+  input.body_extent = reach * std::max(hertz.semi_axis_x, hertz.semi_axis_y);
   input.subsurface = testing::points_below(hertz.semi_axis_x, hertz.semi_axis_y);
   const contact::Scene scene(input);
   Records records(fmt::format("{}/{}_{}", call.folder, call.seed, number));

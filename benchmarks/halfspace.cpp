@@ -162,13 +162,15 @@ void count(benchmark::State& state, const contact::PointResult& point) {
 
 void fastsim(benchmark::State& state) {
   contact::Case input = benchmark_9_case();
-  input.fastsim.strips = input.fastsim.strip_elements = static_cast<int>(state.range(0));
+  auto& options = input.options.set<theories::FastsimOptions>();
+  options.strips = options.strip_elements = static_cast<int>(state.range(0));
   for (auto _ : state) count(state, theories::run_fastsim(input, {}).points[0]);
 }
 
 void strip(benchmark::State& state) {
   contact::Case input = benchmark_9_case();
-  input.strip.strips = input.strip.strip_elements = static_cast<int>(state.range(0));
+  auto& options = input.options.set<theories::StripOptions>();
+  options.strips = options.strip_elements = static_cast<int>(state.range(0));
   for (auto _ : state) count(state, theories::run_strip(input, {}).points[0]);
 }
 

@@ -207,6 +207,10 @@ struct GridOptions {
   std::array<double, 2> middle{0.0, 0.0};          ///< mm, of the potential contact area
 };
 
+/// Position of the contact elements: in the tangent plane, along the common surface across, or
+/// chosen by the spread of the contact's normals.
+enum class SurfaceForm { automatic, planar, curved };
+
 /// Points at which stress and displacement are requested: a point (1 by 1), a line (n by 1) or a
 /// plane (n by m), the parallelogram `from`, `to`, `across`; or a line (n by 1) that follows the
 /// contact surface of the body at one depth, for which `from` and `to` hold only x and y.
@@ -285,7 +289,7 @@ struct TableOptions {
   int check_points = 200;                           ///< between grid points, at random
 };
 
-struct Case : ModelOptions {
+struct Case {
   std::string title;
   std::string file;  ///< as given by the user
   std::string text;  ///< the whole case file, kept for provenance
@@ -313,9 +317,13 @@ struct Case : ModelOptions {
   DistanceOptions undeformed_distance;
   std::optional<GivenPressure> given_pressure;
   GridOptions contact_grid;
+  SurfaceForm surface = SurfaceForm::automatic;
+  bool inertia = false;               ///< of wheel and rail at Rolling::speed
+  std::optional<double> body_extent;  ///< mm, of elastic bodies from the patch; unset: chosen
   std::vector<SubsurfaceRequest> subsurface;
   OutputOptions output;
   TableOptions table;
+  ModelOptions options;
   /// Whether wheel and rail are given by profiles: the case is not solved directly but converted
   /// into scenes.
   bool has_profiles() const { return !wheel.profile.name.empty() || !rail.profile.name.empty(); }
@@ -324,10 +332,5 @@ struct Case : ModelOptions {
   /// Whether the position of the wheel is given instead of its load.
   bool sinks() const { return load.approach || !wheelset.height.empty(); }
 };
-
-/// Whether the inertia of wheel and rail rolling through the contact is included.
-inline bool feels_inertia(const Case& input) {
-  return input.fem.inertia && input.rolling.speed > 0.0;
-}
 
 }  // namespace rollfem::contact

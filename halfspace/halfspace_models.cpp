@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/halfspace_models.hpp"
 
+#include "case/checks/case_rules.hpp"
+#include "case/keys/key_builder.hpp"
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/model/halfspace_model.hpp"
@@ -12,10 +14,40 @@ namespace {
 contact::ModelResult run_with_model_error(const contact::Scene& scene,
                                           const contact::Progress& progress,
                                           contact::Checkpoint* checkpoint) {
-  if (scene.options.halfspace.model_error) check_bodies_known(scene);
+  if (scene.options.of<HalfspaceOptions>().model_error) check_bodies_known(scene);
   contact::ModelResult result = run_halfspace(scene, progress, checkpoint);
-  if (scene.options.halfspace.model_error) add_model_error(scene, progress, result);
+  if (scene.options.of<HalfspaceOptions>().model_error) add_model_error(scene, progress, result);
   return result;
+}
+
+void check_line(const contact::GivenCase& given, contact::Case&) {
+  contact::check_exclusion(given,
+                           {contact::when::line,
+                            {"halfspace.*"},
+                            "applies to contacts of finite width, but geometry.shape is line",
+                            "line contact of rollers, rolling straight ahead",
+                            "remove it, or geometry.shape"});
+}
+
+void add_halfspace_keys() {
+  using contact::SurfaceForm;
+  contact::Keys<HalfspaceOptions> keys("halfspace", "Model `halfspace`");
+  keys.add(
+      "surface", &contact::Case::surface,
+      {{"auto", SurfaceForm::automatic},
+       {"planar", SurfaceForm::planar},
+       {"curved", SurfaceForm::curved}},
+      "`planar`: the tangent plane of the contact point; `curved` follows the common surface of "
+      "wheel and rail across rolling, with local normals and rolling radii (steady or frictionless "
+      "rolling of like materials, no subsurface stress). `auto`: planar unless the normals of true "
+      "profiles spread by more than 0.03 rad, fully curved from 0.06 rad on and where contacts in "
+      "planes of their own grow into each other (docs/track.md).");
+  keys.add("model_error", &HalfspaceOptions::model_error,
+           "Estimate the half-space's model error, per quantity and load point, from the true "
+           "curvature of wheel and rail (some 0.1 s per load point); needs radii or profiles.");
+  keys.section().position = 0;
+  keys.section().complete = check_line;
+  contact::add_section(keys);
 }
 
 contact::ModelRegistry make_models() {
@@ -24,6 +56,7 @@ contact::ModelRegistry make_models() {
                            "Kalker's problem for elastic half-spaces, solved on a grid"};
   model.takes = contact::all_demands_but({Demand::inertia, Demand::beyond_half_space});
   model.run = run_with_model_error;
+  model.add_keys = add_halfspace_keys;
   model.refinements = {contact_grid()};
   model.no_model_error =
       "not requested: halfspace.model_error = true estimates the error of the half-space "

@@ -6,6 +6,10 @@
 
 namespace rollfem::halfspace {
 
+struct HalfspaceOptions {
+  bool model_error = false;  ///< is estimated
+};
+
 /// halfspace alone.
 const contact::ModelRegistry& models();
 

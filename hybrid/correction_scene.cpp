@@ -2,6 +2,7 @@
 #include "hybrid/correction_scene.hpp"
 
 #include "base/errors.hpp"
+#include "fem/fem_options.hpp"
 #include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +50,7 @@ bool is_alike(const PatchBox& larger, const PatchBox& box) {
 }
 
 /// Segments of a given size must hold the finest cells around the box with some margin.
-bool fits(const PatchBox& box, const contact::FemOptions& fem) {
+bool fits(const PatchBox& box, const Scene& bodies) {
   constexpr double half_sizes = 4.0;
   const auto holds = [&](const std::optional<double>& reach) {
     return !reach || *reach >= half_sizes * box.larger();
@@ -58,7 +59,9 @@ bool fits(const PatchBox& box, const contact::FemOptions& fem) {
     if (size) *size *= 0.5;
     return size;
   };
-  return holds(fem.extent) && holds(fem.depth) && holds(half(fem.width)) && holds(half(fem.length));
+  const fem::FemOptions& given = fem::options_of(bodies);
+  return holds(bodies.body_extent) && holds(given.depth) && holds(half(given.width)) &&
+         holds(half(given.length));
 }
 
 /// A line "name value value ...".
@@ -98,9 +101,9 @@ void add_surface(std::string& text, const contact::ContactSurface& surface) {
 
 /// Parameters of bodies that are not boxes under their surface.
 void add_given_bodies(std::string& text, const Scene& scene) {
-  const contact::FemOptions& fem = scene.options.fem;
-  if (fem.mesh == contact::MeshFamily::gmsh)
-    add(text, "sections", fem.rim_thickness.value_or(0.0), scene.rail_inclination,
+  const fem::FemOptions& options = fem::options_of(scene);
+  if (options.mesh == fem::MeshFamily::gmsh)
+    add(text, "sections", options.rim_thickness.value_or(0.0), scene.rail_inclination,
         scene.place && !scene.place->left ? 1.0 : 0.0);
   for (const std::string& mesh : {scene.wheel.mesh, scene.rail.mesh}) {
     if (mesh.empty()) continue;
@@ -125,7 +128,9 @@ Scene correction_scene(const Scene& scene) {
   bodies.material = scene.material;
   bodies.material.layer = 0.0;
   bodies.follows_surface = scene.follows_surface;
-  bodies.options.fem = scene.options.fem;
+  bodies.inertia = scene.inertia;
+  bodies.body_extent = scene.body_extent;
+  bodies.options.set<fem::FemOptions>() = fem::options_of(scene);
   bodies.speed = scene.feels_inertia() ? scene.speed : 0.0;
   const NormalLoad largest = contact::largest_load(scene);
   contact::LoadPoint point;
@@ -134,7 +139,7 @@ Scene correction_scene(const Scene& scene) {
   bodies.points = {point};
   try {
     const PatchBox box = PatchSearch(bodies).box();
-    if (is_alike(box, PatchSearch(scene).box()) && fits(box, bodies.options.fem)) return bodies;
+    if (is_alike(box, PatchSearch(scene).box()) && fits(box, bodies)) return bodies;
   } catch (const contact::Failure&) {
     // The profiles end before, or no patch is found.
   }
@@ -149,11 +154,11 @@ std::string correction_key(const Scene& correction) {
   add_surface(text, correction.geometry.surface);
   for (const auto* material : {&correction.wheel.material, &correction.rail.material})
     add(text, "material", material->young_modulus, material->poisson_ratio);
-  const contact::FemOptions& fem = correction.options.fem;
-  add(text, "bodies", fem.extent.value_or(0.0), fem.width.value_or(0.0), fem.depth.value_or(0.0),
-      fem.length.value_or(0.0), fem.fine_extent.value_or(0.0));
-  text += fmt::format("degree {} far {}\n", fem.degree,
-                      fem.far_boundary ? static_cast<int>(*fem.far_boundary) : -1);
+  const fem::FemOptions& given = fem::options_of(correction);
+  add(text, "bodies", correction.body_extent.value_or(0.0), given.width.value_or(0.0),
+      given.depth.value_or(0.0), given.length.value_or(0.0), given.fine_extent.value_or(0.0));
+  text += fmt::format("degree {} far {}\n", given.degree,
+                      given.far_boundary ? static_cast<int>(*given.far_boundary) : -1);
   add_given_bodies(text, correction);
   return text;
 }

@@ -63,8 +63,10 @@ Scene::Scene(const Case& input)
       leading_edge(input.rolling.leading_edge),
       contact_grid(input.contact_grid),
       accuracy{input.accuracy, input.accuracy_of},
-      follows_surface(input.halfspace.surface == SurfaceForm::curved ? 1.0 : 0.0),
-      options(input),
+      follows_surface(input.surface == SurfaceForm::curved ? 1.0 : 0.0),
+      inertia(input.inertia),
+      body_extent(input.body_extent),
+      options(input.options),
       subsurface(input.subsurface),
       output(input.output) {
   if (input.layer) material.layer = input.layer->compliance();

@@ -80,7 +80,9 @@ struct Scene {
   /// Degree to which the half-space's surface follows wheel and rail (ContactSurface::follows):
   /// from the case, or from the normals of a placed contact.
   double follows_surface = 0.0;
-  ModelOptions options;  ///< each section only for its model
+  bool inertia = false;               ///< of wheel and rail at this speed
+  std::optional<double> body_extent;  ///< mm, of elastic bodies from the patch; unset: chosen
+  ModelOptions options;
   std::vector<SubsurfaceRequest> subsurface;
   OutputOptions output;
 
@@ -97,7 +99,7 @@ struct Scene {
   /// before has left.
   bool yields() const { return wheel.plasticity || rail.plasticity; }
   /// Whether inertia of wheel and rail is included.
-  bool feels_inertia() const { return options.fem.inertia && speed > 0.0; }
+  bool feels_inertia() const { return inertia && speed > 0.0; }
   /// Whether the load points differ in their loads.
   bool load_changes() const;
   /// Friction on a tilted plane carries a part of the load.

@@ -30,7 +30,11 @@ BrushFlexibilities kalker_flexibilities(double semi_axis_x, double semi_axis_y,
 BrushFlexibilities single_flexibility(const BrushFlexibilities& three,
                                       const contact::Creepage& creepage, double c);
 
-using contact::BoundShape;
+/// Shape of the traction bound of brushes along a strip, t from -1 to 1 over its length.
+enum class BoundShape {
+  parabolic,  ///< 1 - t^2
+  elliptic,   ///< sqrt(1 - t^2)
+};
 
 /// Strip theory of an elliptic patch (Haines and Ollerton 1963, Kalker 1967): every strip along
 /// rolling is a line contact with both components of traction. In a strip of half length a the

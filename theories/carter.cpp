@@ -2,6 +2,7 @@
 #include "theories/carter.hpp"
 
 #include "base/pi.hpp"
+#include "case/keys/key_builder.hpp"
 #include "result/bars.hpp"
 #include "result/quantities.hpp"
 #include "theories/brush.hpp"
@@ -143,7 +144,7 @@ double CarterSolution::slip(double x) const {
 }
 
 contact::ModelResult run_carter(const contact::Scene& scene, const contact::Progress& progress) {
-  const int strips = scene.options.carter.strips;
+  const int strips = scene.options.of<CarterOptions>().strips;
   const EllipticPatch patch = elliptic_patch(scene);
   const auto fill = [&](contact::PointResult& point) {
     const contact::Field rows = fill_fields(patch, point);
@@ -164,12 +165,26 @@ contact::ModelResult run_carter(const contact::Scene& scene, const contact::Prog
   return result;
 }
 
+namespace {
+
+void add_carter_keys() {
+  using contact::between;
+  contact::Keys<CarterOptions> keys("carter",
+                                    "Model `carter`: strips along rolling, each a line contact");
+  keys.add("strips", &CarterOptions::strips, between(8, 2000), "Strips across the patch.");
+  keys.section().position = 3;
+  contact::add_section(keys);
+}
+
+}  // namespace
+
 contact::ModelInfo carter_model() {
   using contact::Demand;
   contact::ModelInfo model = theory(
       "carter", "Carter", "strips of an ellipse along rolling, each a line contact",
       {Demand::line_contact, Demand::extra_slip}, with_pass_work(run_carter), strips_on_ellipse);
-  model.refinements = {refined_strips<contact::CarterOptions, &contact::ModelOptions::carter>()};
+  model.add_keys = add_carter_keys;
+  model.refinements = {refined_strips<CarterOptions, &CarterOptions::strips>()};
   return model;
 }
 

@@ -7,6 +7,10 @@
 
 namespace rollfem::theories {
 
+struct CarterOptions {
+  int strips = 200;
+};
+
 /// Line contact of like materials under Hertz's pressure.
 struct CarterContact {
   double half_width = 0.0;       ///< a, mm

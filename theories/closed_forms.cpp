@@ -2,6 +2,7 @@
 #include "theories/closed_forms.hpp"
 
 #include "base/pi.hpp"
+#include "case/keys/key_builder.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "theories/brush.hpp"
 #include "theories/elliptic_patch.hpp"
@@ -133,7 +134,7 @@ namespace {
 
 /// Force over mu N, with the creepage s_yC that spin enlarges and its lateral force by spin (Polach
 /// 1999). Creepages oppose it, also where the linear theory has C11 and C22 that differ.
-Eigen::Vector2d polach_force(const EllipticPatch& patch, const contact::PolachOptions& options,
+Eigen::Vector2d polach_force(const EllipticPatch& patch, const PolachOptions& options,
                              const contact::Creepage& creepage, double bound) {
   const double a = patch.hertz.semi_axis_x;
   const double b = patch.hertz.semi_axis_y;
@@ -159,11 +160,24 @@ Eigen::Vector2d polach_force(const EllipticPatch& patch, const contact::PolachOp
           (-saturation * rigid.y() + 9.0 / 16.0 * k * scale * a * creepage.spin) / size};
 }
 
+void add_polach_keys() {
+  using contact::between, contact::symbol;
+  contact::Keys<PolachOptions> keys("polach",
+                                    "Model `polach`: Polach's closed form of the creep force");
+  keys.add("adhesion_reduction", &PolachOptions::adhesion_reduction, symbol("k_A"),
+           between(1e-6, 1.0),
+           "Reduction of the initial slope in the adhesion area; below 1 where rails are wet.");
+  keys.add("slip_reduction", &PolachOptions::slip_reduction, symbol("k_S"), between(1e-6, 1.0),
+           "Reduction in the slip area; Polach has it at most k_A.");
+  keys.section().position = 4;
+  contact::add_section(keys);
+}
+
 }  // namespace
 
 contact::ModelResult run_polach(const contact::Scene& scene, const contact::Progress& progress) {
   const EllipticPatch patch = elliptic_patch(scene);
-  const contact::PolachOptions& options = scene.options.polach;
+  const auto& options = scene.options.of<PolachOptions>();
   const auto fill = [&](contact::PointResult& point) {
     if (patch.friction == 0.0) return;
     const double bound = patch.friction_at(point.creepage) * point.normal_force;
@@ -207,11 +221,13 @@ contact::ModelInfo vermeulen_johnson_model() {
 
 contact::ModelInfo polach_model() {
   using contact::Demand;
-  return theory("polach", "Polach",
-                "Polach's closed form of the creep force with spin, for comparison",
-                {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin,
-                 Demand::falling_friction},
-                elliptic(run_polach, true), closed_form);
+  contact::ModelInfo model = theory(
+      "polach", "Polach", "Polach's closed form of the creep force with spin, for comparison",
+      {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin,
+       Demand::falling_friction},
+      elliptic(run_polach, true), closed_form);
+  model.add_keys = add_polach_keys;
+  return model;
 }
 
 }  // namespace rollfem::theories

@@ -9,6 +9,11 @@
 
 namespace rollfem::theories {
 
+struct PolachOptions {
+  double adhesion_reduction = 1.0;  ///< k_A
+  double slip_reduction = 1.0;      ///< k_S
+};
+
 /// Solution at one pair of creepages. The adhesion area is an ellipse similar to the patch that
 /// touches it at the leading edge.
 struct VermeulenJohnson {

@@ -2,6 +2,7 @@
 #include "theories/fastsim.hpp"
 
 #include "base/errors.hpp"
+#include "case/keys/key_builder.hpp"
 #include "contact/iteration/compliance.hpp"
 #include "theories/closed_forms.hpp"
 #include "theories/theory.hpp"
@@ -126,6 +127,35 @@ StripAt strips_with_theory(const EllipticPatch& patch, const contact::Creepage& 
   };
 }
 
+void add_fastsim_keys() {
+  using contact::between, contact::symbol;
+  contact::Keys<FastsimOptions> keys(
+      "fastsim",
+      "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse; "
+      "`fastrip` takes strips and elements");
+  keys.add("bound", &FastsimOptions::bound,
+           {{"parabolic", BoundShape::parabolic}, {"elliptic", BoundShape::elliptic}},
+           "Traction bound: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; `elliptic` mu p0 "
+           "sqrt(1 - r^2), Hertz's.");
+  keys.add("flexibilities", &FastsimOptions::flexibilities,
+           {{"three", Flexibilities::three}, {"one", Flexibilities::one}},
+           "Flexibility of the brushes: one for each creepage, or their mean weighted by the "
+           "creepages.");
+  keys.add("elements", &FastsimOptions::elements,
+           {{"chord", FastsimElements::chord}, {"grid", FastsimElements::grid}},
+           "`chord` divides every strip equally; `grid` uses elements of a common grid and "
+           "evaluates the spin a sixth of a step upstream, as CONTACT does (first order).");
+  keys.add("strips", &FastsimOptions::strips, between(8, 2000), "Strips across the patch.");
+  keys.add("strip_elements", &FastsimOptions::strip_elements, between(4, 2000),
+           "Elements along each strip.");
+  keys.add("slope_reduction", &FastsimOptions::slope_reduction, symbol("k_0, alpha_inf, beta"),
+           between(1e-6, 100.0),
+           "Reduce the brushes' stiffness on surfaces that are not clean (docs/theory.md); all 1: "
+           "Kalker's slope. Not for `fastrip`.");
+  keys.section().position = 1;
+  contact::add_section(keys);
+}
+
 /// FASTSIM, or FaStrip with the adhesion of strip theory.
 contact::ModelResult run_brushes(bool adhesion_of_strips, const contact::Scene& scene,
                                  const contact::Progress& progress, const FastsimOptions& options) {
@@ -176,11 +206,11 @@ contact::ModelResult run_brushes(bool adhesion_of_strips, const contact::Scene& 
 }  // namespace
 
 contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Progress& progress) {
-  return run_brushes(false, scene, progress, scene.options.fastsim);
+  return run_brushes(false, scene, progress, scene.options.of<FastsimOptions>());
 }
 
 contact::ModelResult run_fastrip(const contact::Scene& scene, const contact::Progress& progress) {
-  FastsimOptions one = scene.options.fastsim;
+  FastsimOptions one = scene.options.of<FastsimOptions>();
   one.flexibilities = Flexibilities::one;
   one.slope_reduction = FastsimOptions().slope_reduction;
   return run_brushes(true, scene, progress, one);
@@ -193,7 +223,9 @@ contact::ModelInfo fastsim_model() {
       {Demand::tangential_force, Demand::profiles, Demand::sections, Demand::lateral_creepage,
        Demand::spin, Demand::extra_slip, Demand::falling_friction, Demand::layer},
       with_pass_work(elliptic(run_fastsim)), strips_on_ellipse);
-  model.refinements = {refined_strips<FastsimOptions, &contact::ModelOptions::fastsim>()};
+  model.add_keys = add_fastsim_keys;
+  model.refinements = {
+      refined_strips<FastsimOptions, &FastsimOptions::strips, &FastsimOptions::strip_elements>()};
   model.own_bound = model.in_compare = true;
   return model;
 }
@@ -205,7 +237,9 @@ contact::ModelInfo fastrip_model() {
       {Demand::tangential_force, Demand::profiles, Demand::sections, Demand::lateral_creepage,
        Demand::spin, Demand::extra_slip},
       with_pass_work(elliptic(run_fastrip)), strips_on_ellipse);
-  model.refinements = {refined_strips<FastsimOptions, &contact::ModelOptions::fastsim>()};
+  model.add_keys = add_fastsim_keys;
+  model.refinements = {
+      refined_strips<FastsimOptions, &FastsimOptions::strips, &FastsimOptions::strip_elements>()};
   return model;
 }
 

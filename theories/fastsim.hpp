@@ -7,11 +7,34 @@
 #include "theories/brush.hpp"
 #include "theories/elliptic_patch.hpp"
 
+#include <array>
+
 namespace rollfem::theories {
 
-using contact::FastsimElements;
-using contact::Flexibilities;
-using FastsimOptions = contact::FastsimOptions;
+/// Flexibilities of the brushes of FASTSIM.
+enum class Flexibilities {
+  three,  ///< L1, L2, L3: one for each creepage
+  one,    ///< Kalker's weighted mean, as in the paper of 1982
+};
+
+/// Position of the elements in FASTSIM's strips.
+enum class FastsimElements {
+  chord,  ///< every strip divided into equal elements: forces of order 2 for the parabolic bound
+          ///< without spin, 1.5 for the elliptic one, 1 with spin, which turns the slip
+  grid,   ///< elements of the bounding box whose centres lie in the ellipse, the first reached by a
+          ///< whole step, the spin a sixth of a step upstream, as in CONTACT: order one
+};
+
+struct FastsimOptions {
+  BoundShape bound = BoundShape::parabolic;  ///< 4/3 mu p0 (1 - r^2), or mu p0 sqrt(1 - r^2)
+  Flexibilities flexibilities = Flexibilities::three;
+  FastsimElements elements = FastsimElements::chord;
+  int strips = 100;          ///< across the patch
+  int strip_elements = 100;  ///< along each strip, for `grid` along the longest
+  /// k_0, alpha_inf, beta of the initial slope, which is reduced by 1/k (Spiryagin, Polach and
+  /// Cole).
+  std::array<double, 3> slope_reduction{1.0, 1.0, 1.0};
+};
 
 /// FastsimElements::grid: elements of a box with `count` over 2 a whose centres lie in the strip,
 /// with the spin taken at CONTACT's position.

@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "base/pi.hpp"
 #include "base/root.hpp"
+#include "case/keys/key_builder.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "halfspace/patch/ridge.hpp"
 #include "theories/equivalent_ellipse.hpp"
@@ -402,7 +403,7 @@ StripSection strip_section(const StripProfile& profile, const StripNormalSolutio
 }
 
 contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progress& progress) {
-  const contact::StripOptions& options = scene.options.strip;
+  const auto& options = scene.options.of<StripOptions>();
   if (options.strips < 8 || options.strip_elements < 4)
     throw contact::InputError("the strip model needs at least 8 strips of 4 elements");
   const StripContact fine = strip_contact(scene, options.strips, options.virtual_penetration);
@@ -444,6 +445,25 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
   return result;
 }
 
+namespace {
+
+void add_strip_keys() {
+  using contact::between, contact::otherwise;
+  contact::Keys<StripOptions> keys(
+      "strip", "Model `strip`: strips along rolling, each with Hertzian pressure and brushes");
+  keys.add("strips", &StripOptions::strips, between(16, 2000), "Strips across the patch.");
+  keys.add("strip_elements", &StripOptions::strip_elements, between(4, 2000),
+           "Elements along each strip.");
+  keys.add("virtual_penetration", &StripOptions::virtual_penetration, between(0.3, 1.0),
+           otherwise("from the Hertzian ellipse of equal depth and volume"),
+           "Fraction of the approach by which the undeformed profiles penetrate to define the "
+           "patch; Kik and Piotrowski: 0.55.");
+  keys.section().position = 2;
+  contact::add_section(keys);
+}
+
+}  // namespace
+
 contact::ModelInfo strip_model() {
   using contact::Demand;
   contact::ModelInfo model = theory(
@@ -454,7 +474,9 @@ contact::ModelInfo strip_model() {
         return run_each_load(run_strip, scene, progress);
       }),
       {true, false});
-  model.refinements = {refined_strips<contact::StripOptions, &contact::ModelOptions::strip>()};
+  model.add_keys = add_strip_keys;
+  model.refinements = {
+      refined_strips<StripOptions, &StripOptions::strips, &StripOptions::strip_elements>()};
   model.own_bound = model.in_compare = true;
   return model;
 }

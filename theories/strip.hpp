@@ -13,6 +13,13 @@
 
 namespace rollfem::theories {
 
+struct StripOptions {
+  int strips = 100;
+  int strip_elements = 100;
+  /// Ratio of virtual penetration to approach; unset: Hertz's ellipse.
+  std::optional<double> virtual_penetration;
+};
+
 /// Two profiles as strips of equal width: undeformed distance h(x, y) = z(y) + A(y) (x - x_m(y))^2.
 struct StripProfile {
   double y_first = 0.0;           ///< mm, middle of the first strip

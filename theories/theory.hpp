@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 namespace rollfem::theories {
@@ -36,18 +35,16 @@ contact::Model elliptic(const contact::Model& theory, bool leaves_extra_slip = f
 /// is done.
 contact::Model with_pass_work(const contact::Model& theory);
 
-/// Refinement levels of a theory in a study: the case's strips and elements are the third of five
-/// levels.
-template <class Options, Options contact::ModelOptions::*options>
+/// Refinement levels of a theory in a study: the case's strips and elements, members of its
+/// options, are the third of five levels.
+template <class Options, int Options::*strips, int Options::*... elements>
 contact::Refinement refined_strips() {
   const auto level = [](contact::ModelInput input, int k, int /*n*/) -> contact::RefinedInput {
     const auto scaled = [k](int count) { return std::max(1, count / 4) * (1 << k); };
-    Options& of = input.options.*options;
-    of.strips = scaled(of.strips);
-    if constexpr (!std::is_same_v<Options, contact::CarterOptions>)
-      of.strip_elements = scaled(of.strip_elements);
-    const int strips = of.strips;
-    return {fmt::format("{} strips", strips), static_cast<double>(strips), std::move(input)};
+    auto& options = input.options.set<Options>();
+    for (int* count : {&(options.*strips), &(options.*elements)...}) *count = scaled(*count);
+    const int count = options.*strips;
+    return {fmt::format("{} strips", count), static_cast<double>(count), std::move(input)};
   };
   return {"grid", "", "strips", 2.0, 5, false, level};
 }

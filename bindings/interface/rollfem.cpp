@@ -23,8 +23,8 @@ const contact::ModelRegistry& registry() {
 
 }  // namespace
 
-Case read_case(const std::string& file) {
-  return contact::read_case(file, modelling::known_names(registry()));
+Case read_case(const std::string& file, const std::vector<std::string>& changes) {
+  return contact::read_case(file, modelling::known_names(registry()), changes);
 }
 
 Case parse_case(const std::string& text, const std::string& name) {

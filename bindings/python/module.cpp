@@ -60,6 +60,7 @@ Case case_of_values(const std::string& text, const std::string& name) {
 
 /// All [(section, key, unit)] of the case file.
 std::vector<std::tuple<std::string, std::string, std::string>> keys() {
+  static_cast<void>(known_models());  // whose keys are among them
   std::vector<std::tuple<std::string, std::string, std::string>> found;
   for (const contact::Key& key : contact::case_keys())
     found.emplace_back(key.section, key.name, key.unit);

@@ -249,27 +249,6 @@ void check_rigid(const GivenCase& given, const Case& input) {
           "inf for at most one of wheel and rail", "give one of them a finite modulus");
 }
 
-/// Inertia needs a speed below the Rayleigh wave speed, at which moving loads have no steady
-/// solution and the stiffness with inertia becomes indefinite.
-void check_inertia(const GivenCase& given, const Case& input) {
-  if (!input.fem.inertia) return;
-  if (!feels_inertia(input))
-    fail_at(given, "fem.inertia", "needs a rolling speed, and rolling.speed is 0",
-            "true with rolling.speed > 0", "give `speed` in mm/s under [rolling], or remove it");
-  for (const bool wheel : {true, false}) {
-    const Material& material = wheel ? input.wheel.material : input.rail.material;
-    const double limit = largest_rayleigh_fraction * rayleigh_speed(material);
-    if (input.rolling.speed < limit) continue;
-    fail_at(
-        given, "rolling.speed",
-        fmt::format("is at or above {} of the Rayleigh wave speed of the {}, {:.4g} mm/s",
-                    largest_rayleigh_fraction, wheel ? "wheel" : "rail", rayleigh_speed(material)),
-        fmt::format("below {:.4g} mm/s", limit),
-        "lower the speed (mm/s), check young_modulus (MPa) and density (t/mm^3), or remove "
-        "fem.inertia");
-  }
-}
-
 /// Points up to this height (mm) above a concave surface may still be moved onto it; the finite
 /// elements, whose size is not known yet, decide.
 constexpr double most_above_surface = 1.0;
@@ -282,27 +261,6 @@ bool outside(const Case& input, bool wheel, const std::array<double, 3>& place) 
   const double circle = input.wheel.rolling_radius - drop;
   if (wheel) drop += std::abs(place[0]) < circle ? circle_drop(circle, place[0]) : infinity;
   return depth < (drop < 0.0 ? drop - most_above_surface : 0.0);
-}
-
-/// One load point for each pass, by default one pass for each load point.
-void repeat_load_points(const GivenCase& given, Case& input) {
-  const int points = input.fem.cycle = static_cast<int>(input.rolling.creepages.size());
-  const GivenValue* passes = given.find("fem", "passes");
-  if (passes == nullptr) input.fem.passes = points;
-  if (input.fem.passes < points)
-    fail_at(given, "fem.passes",
-            fmt::format("leaves out some of the {} load points, each of which is a pass", points),
-            fmt::format("at least {}, one cycle of them", points),
-            "raise it, or shorten the lists of creepages or forces");
-  const auto repeat = [&](auto& entries) {
-    if (entries.empty()) return;
-    const auto once = entries;
-    entries.clear();
-    for (int pass = 0; pass < input.fem.passes; ++pass) entries.push_back(once[pass % once.size()]);
-  };
-  repeat(input.rolling.creepages);
-  repeat(input.rolling.forces);
-  repeat(input.wheelset.rotation_change);
 }
 
 /// Without load only bodies that have yielded tell anything.
@@ -555,7 +513,8 @@ void complete(const GivenCase& given, Case& input) {
       auto& residual = body->plasticity->residual;
       extend({&residual.depth, &residual.along, &residual.across});
     }
-  if (input.yields() && problem != Problem::shift) repeat_load_points(given, input);
+  for (const Section& section : case_sections())
+    if (section.complete != nullptr) section.complete(given, input);
 }
 
 void check_values(const GivenCase& given, const Case& input) {
@@ -566,7 +525,6 @@ void check_values(const GivenCase& given, const Case& input) {
   check_friction(given, input);
   check_fall(given, input);
   check_friction_limit(given, input);
-  check_inertia(given, input);
   check_places(given, input);
 }
 

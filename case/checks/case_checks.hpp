@@ -70,7 +70,7 @@ void check_places(const GivenCase& given, const Case& input, bool bodies = true)
 
 /// Fills in derived values: the load of a history or a given pressure, radii that are not needed
 /// (inf), the length of the history, which creepages are given, lists over positions of the
-/// wheelset extended to one length.
+/// wheelset extended to one length, what follows from options of models.
 void complete(const GivenCase& given, Case& input);
 
 /// Checks the consistency of values: forces below the friction limit, at most one rigid body,

@@ -13,18 +13,6 @@ namespace rollfem::contact {
 
 namespace {
 
-/// Keys that are not allowed if the condition holds: "section.name", with at most one *. In the
-/// texts, {problem} stands for the problem, {slip} for extra_slip, {law} for the friction law and
-/// {laws} for those that fall.
-struct Exclusion {
-  Condition where;
-  std::vector<const char*> keys;
-  const char* wrong;
-  const char* allowed;
-  const char* action;
-  bool defaults_too = false;  ///< also rejected with a value that has no effect
-};
-
 /// Alternative keys: at most one of them is allowed.
 struct Rivals {
   std::vector<const char*> keys;
@@ -70,41 +58,16 @@ const std::vector<Exclusion> exclusions{
      rollers,
      "remove it, or geometry.shape"},
     {when::line,
-     {"given_pressure.*", "rolling.extra_slip_file", "halfspace.surface"},
+     {"given_pressure.*", "rolling.extra_slip_file"},
      no_extent,
      rollers,
      "remove it, or geometry.shape"},
-    {when::line,
-     {"halfspace.model_error"},
-     "needs bodies of finite width, but geometry.shape is line",
-     rollers,
-     "remove it, or geometry.shape"},
-    {!when::yields,
-     {"fem.passes", "fem.pass_pressure", "fem.limit_state", "fem.plastic_extent"},
-     "is for bodies that yield, but this case has none",
-     "with [rail_plasticity] or [wheel_plasticity]",
-     "add `yield_stress = 520.0` under [rail_plasticity], or remove it"},
-    {when::shift,
-     {"fem.passes", "fem.pass_pressure", "fem.limit_state"},
-     "is of loads that roll over a body, but rolling.problem is shift",
-     "the problems steady and frictionless",
-     "remove it; the steps of [history] press bodies that yield"},
     {when::rigid("wheel"), {"wheel.mesh", "wheel_plasticity.*"}, is_rigid, elastic, make_elastic},
     {when::rigid("rail"), {"rail.mesh", "rail_plasticity.*"}, is_rigid, elastic, make_elastic},
-    {!when::profiles || !when::has("fem", "mesh") || when::is("fem", "mesh", "structured"),
-     {"fem.rim_thickness"},
-     "is of the wheel's true section, which this case does not mesh",
-     "with profiles and mesh = \"gmsh\"",
-     "write `mesh = \"gmsh\"` under [fem], or remove it"},
     {when::off("output", "fields"),
      {"output.body_fields"},
      "has no effect, because output.fields is false",
      "with fields = true",
-     "remove one of the two"},
-    {when::yields,
-     {"fem.inertia"},
-     "is for elastic bodies, but this case has bodies that yield",
-     "without [rail_plasticity] and [wheel_plasticity]",
      "remove one of the two"},
     {when::transient || when::given_pressure || when::line || when::own_mesh,
      {"wheel_plasticity.*", "rail_plasticity.*"},
@@ -222,12 +185,6 @@ const std::vector<Exclusion> exclusions{
      "names no file",
      "`file` with extra_slip_file",
      "add `extra_slip_file = \"slip.csv\"` under [rolling]"},
-    // A given mesh is clamped at its group `fixed`, which need not enclose it.
-    {when::own_mesh,
-     {"fem.far_boundary"},
-     "applies to segments meshed by rollfem, but this case provides a mesh",
-     "\"clamped\"",
-     "remove fem.far_boundary, or the mesh"},
     {!when::friction_falls,
      {"friction.kinetic_coefficient", "friction.half_velocity", "friction.second_*",
       "friction.polach_*", "friction.memory_*", "friction.branch"},
@@ -471,21 +428,6 @@ std::string falling_laws() {
   return joined(words);
 }
 
-void check_exclusion(const GivenCase& given, const Exclusion& rule) {
-  if (!rule.where(given)) return;
-  for (const char* pattern : rule.keys) {
-    const Given* found = find_match(given, pattern, rule.defaults_too ? is_none : has_no_effect);
-    if (found == nullptr) continue;
-    const auto filled = [&](const char* text) {
-      return fmt::format(
-          fmt::runtime(text), fmt::arg("problem", word_of(given, "rolling", "problem")),
-          fmt::arg("slip", word_of(given, "rolling", "extra_slip")),
-          fmt::arg("law", word_of(given, "friction", "law")), fmt::arg("laws", falling_laws()));
-    };
-    fail_at(given, found->first->path(), filled(rule.wrong), filled(rule.allowed), rule.action);
-  }
-}
-
 bool leaves_points(const GivenValue& value) {
   const auto* list = std::get_if<std::vector<double>>(&value.value);
   return list != nullptr &&
@@ -527,6 +469,21 @@ void check_constants(const GivenCase& given) {
 }
 
 }  // namespace
+
+void check_exclusion(const GivenCase& given, const Exclusion& rule) {
+  if (!rule.where(given)) return;
+  for (const char* pattern : rule.keys) {
+    const Given* found = find_match(given, pattern, rule.defaults_too ? is_none : has_no_effect);
+    if (found == nullptr) continue;
+    const auto filled = [&](const char* text) {
+      return fmt::format(
+          fmt::runtime(text), fmt::arg("problem", word_of(given, "rolling", "problem")),
+          fmt::arg("slip", word_of(given, "rolling", "extra_slip")),
+          fmt::arg("law", word_of(given, "friction", "law")), fmt::arg("laws", falling_laws()));
+    };
+    fail_at(given, found->first->path(), filled(rule.wrong), filled(rule.allowed), rule.action);
+  }
+}
 
 void check_rules(const GivenCase& given) {
   for (const Exclusion& rule : exclusions) check_exclusion(given, rule);

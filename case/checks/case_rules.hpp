@@ -112,6 +112,21 @@ inline const Condition layer = has("layer", "thickness") || has("layer", "shear_
 
 }  // namespace when
 
+/// Keys that are not allowed if the condition holds: "section.name", with at most one *. In the
+/// texts, {problem} stands for the problem, {slip} for extra_slip, {law} for the friction law and
+/// {laws} for those that fall.
+struct Exclusion {
+  Condition where;
+  std::vector<const char*> keys;
+  const char* wrong;
+  const char* allowed;
+  const char* action;
+  bool defaults_too = false;  ///< also rejected with a value that has no effect
+};
+
+/// Throws InputError.
+void check_exclusion(const GivenCase& given, const Exclusion& rule);
+
 /// Applies the rules to the given keys. Throws InputError.
 void check_rules(const GivenCase& given);
 

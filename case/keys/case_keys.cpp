@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <mutex>
 
 namespace rollfem::contact {
 
@@ -15,16 +17,21 @@ struct Declarations {
   std::vector<Key> keys;
 };
 
-Declarations gather() {
+Declarations gather(const Sections& of_models) {
   Declarations all;
   std::vector<std::size_t> counts;
-  for (auto* declare : {&load_sections, &friction_sections, &body_sections, &track_sections,
-                        &rolling_sections, &contact_sections, &model_sections, &output_sections})
-    for (SectionWithKeys& declared : declare()) {
+  const auto add = [&](const Sections& sections) {
+    for (const SectionWithKeys& declared : sections) {
       all.sections.push_back(declared.section);
       counts.push_back(declared.keys.size());
-      std::move(declared.keys.begin(), declared.keys.end(), std::back_inserter(all.keys));
+      all.keys.insert(all.keys.end(), declared.keys.begin(), declared.keys.end());
     }
+  };
+  for (auto* declare : {&load_sections, &friction_sections, &body_sections, &track_sections,
+                        &rolling_sections, &contact_sections})
+    add(declare());
+  add(of_models);
+  add(output_sections());
   const Key* next = all.keys.data();
   for (std::size_t k = 0; k < counts.size(); ++k) {
     all.sections[k].first = next;
@@ -33,9 +40,21 @@ Declarations gather() {
   return all;
 }
 
+struct Known {
+  std::mutex one_at_a_time;
+  Sections of_models;
+  std::deque<Declarations> all;  ///< the last holds; someone may still point to keys of others
+};
+
+Known& known() {
+  static Known one;
+  return one;
+}
+
 const Declarations& declarations() {
-  static const Declarations all = gather();
-  return all;
+  const std::lock_guard lock(known().one_at_a_time);
+  if (known().all.empty()) known().all.push_back(gather(known().of_models));
+  return known().all.back();
 }
 
 }  // namespace
@@ -66,6 +85,19 @@ void grow_load_points(Case& input, std::size_t count) {
   follow(input.rolling.forces);
   follow(input.wheelset.rotation_change);
   follow(input.history);
+}
+
+void add_section(SectionWithKeys added) {
+  const std::lock_guard lock(known().one_at_a_time);
+  Sections& sections = known().of_models;
+  const Section& section = added.section;
+  auto place = sections.begin();
+  for (auto other = sections.begin(); other != sections.end(); ++other) {
+    if (other->section.name == section.name) return;
+    if (other->section.position <= section.position) place = other + 1;
+  }
+  sections.insert(place, std::move(added));
+  if (!known().all.empty()) known().all.push_back(gather(sections));
 }
 
 const std::vector<Section>& case_sections() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The keys of the case file: section, kind, unit, symbol, bounds, default and a sentence, declared
-// once in case/keys/keys_*.cpp. Reading, bounds checks, `check`, `new-case` and
-// docs/case-file.md are all derived from these declarations.
+// once in case/keys/keys_*.cpp, those of a model's options where it is registered. Reading, bounds
+// checks, `check`, `new-case` and docs/case-file.md are all derived from these declarations.
 #pragma once
 
 #include "case/case.hpp"
@@ -79,6 +79,8 @@ struct Key {
   std::string path() const { return section.empty() ? name : section + "." + name; }
 };
 
+struct GivenCase;
+
 struct Section {
   std::string name;
   std::string sentence;
@@ -86,6 +88,9 @@ struct Section {
   bool alternatives = false;    ///< `check` omits the key if it is not given
   bool of_profiles = false;     ///< meaningful only if wheel and rail have profiles
   std::optional<bool> on_rail;  ///< only for a wheel placed on a rail; false: on a track
+  int position = 100;           ///< among the sections of models, smallest first
+  /// Of a model: fills in what follows from its keys, and checks them together with others.
+  void (*complete)(const GivenCase&, Case&) = nullptr;
   bool applies_to(const Case& input) const {
     return (!of_profiles || input.has_profiles()) &&
            (!on_rail || *on_rail == input.wheelset.on_rail);

@@ -5,7 +5,8 @@
 //   keys.add("normal_force", &Load::normal_force, symbol("F_z"), unit("N"), between(1e-6, 1e12),
 //            "Force that presses the wheel on the rail.");
 //
-// Private to case/keys, whose files each declare the sections of one subject.
+// The files of case/keys each declare the sections of one subject; a model with options declares
+// their section where it is registered, and adds it by add_section.
 #pragma once
 
 #include "case/keys/case_keys.hpp"
@@ -132,6 +133,13 @@ struct Place {
       : find(std::move(finder)), make(std::move(maker)) {}
 };
 
+/// The options of a model.
+template <class Options>
+Place<Options> place_of_options() {
+  return {[](const Case& c) { return &c.options.of<Options>(); },
+          [](Case& c) -> Options& { return c.options.set<Options>(); }};
+}
+
 inline Place<Case> whole_case() {
   return {[](const Case& c) { return &c; }, [](Case& c) -> Case& { return c; }};
 }
@@ -238,8 +246,16 @@ Access<Part> access_to(Path path) {
           [path](Part& part, const KeyValue& value) { assign(std::invoke(path, part), value); }};
 }
 
+/// What a key of a part is a member of: the part, or the case, which a pointer to its member says.
 template <class Part, class Path>
-using MemberOf = std::decay_t<std::invoke_result_t<Path, Part&>>;
+Part whole_of(Path);
+template <class Part, class Member>
+Case whole_of(Member Case::*);
+template <class Part, class Path>
+using WholeOf = decltype(whole_of<Part>(std::declval<Path>()));
+
+template <class Part, class Path>
+using MemberOf = std::decay_t<std::invoke_result_t<Path, WholeOf<Part, Path>&>>;
 
 /// A member of a member.
 template <class Part, class Whole, class Member>
@@ -272,7 +288,8 @@ using Sections = std::vector<SectionWithKeys>;
 template <class Part>
 class Keys {
  public:
-  Keys(const std::string& name, const std::string& sentence, Place<Part> place)
+  Keys(const std::string& name, const std::string& sentence,
+       Place<Part> place = place_of_options<Part>())
       : place_(std::move(place)) {
     declared_.section.name = name;
     declared_.section.sentence = sentence;
@@ -281,7 +298,7 @@ class Keys {
   /// The kind of the key is that of the member.
   template <class Path, class... Traits>
   void add(const std::string& name, const Path& path, const Traits&... traits) {
-    add(kind_of<MemberOf<Part, Path>>(), name, access_to<Part>(path), traits...);
+    add(kind_of<MemberOf<Part, Path>>(), name, access_to<WholeOf<Part, Path>>(path), traits...);
   }
   template <class Entry, class... Traits>
   void add(const std::string& name, const Each<Part, Entry>& each, const Traits&... traits) {
@@ -294,24 +311,25 @@ class Keys {
            const Traits&... traits) {
     Words words;
     for (const auto& [word, value] : choices) words.emplace_back(word);
-    const auto word_of_member = [path, choices](const Part& part) -> KeyValue {
+    using Whole = WholeOf<Part, Path>;
+    const auto word_of_member = [path, choices](const Whole& part) -> KeyValue {
       for (const auto& [word, value] : choices)
         if (std::invoke(path, part) == value) return std::string(word);
       return {};
     };
-    const auto set_member = [path, choices](Part& part, const KeyValue& given) {
+    const auto set_member = [path, choices](Whole& part, const KeyValue& given) {
       for (const auto& [word, value] : choices)
         if (std::get<std::string>(given) == word) std::invoke(path, part) = value;
     };
-    add(KeyKind::word, name, Access<Part>{word_of_member, set_member}, among(words), traits...);
+    add(KeyKind::word, name, Access<Whole>{word_of_member, set_member}, among(words), traits...);
   }
   /// For anything other than a member.
-  template <class... Traits>
-  void add(KeyKind kind, const std::string& name, Access<Part> access, const Traits&... traits) {
+  template <class Whole, class... Traits>
+  void add(KeyKind kind, const std::string& name, Access<Whole> access, const Traits&... traits) {
     if constexpr ((std::is_same_v<Traits, Silent> || ...))
-      access.get = [get = access.get](const Part& part) {
+      access.get = [get = access.get](const Whole& part) {
         const KeyValue value = get(part);
-        return value == get(Part()) ? KeyValue() : value;
+        return value == get(Whole()) ? KeyValue() : value;
       };
     bind(declare(kind, name, traits...), access);
   }
@@ -329,15 +347,24 @@ class Keys {
     (add_to(key, traits), ...);
     return key;
   }
-  void bind(Key& key, const Access<Part>& access) {
+  template <class Whole>
+  Place<Whole> place_of() const {
+    if constexpr (std::is_same_v<Whole, Part>)
+      return place_;
+    else
+      return whole_case();
+  }
+  template <class Whole>
+  void bind(Key& key, const Access<Whole>& access) {
+    const Place<Whole> place = place_of<Whole>();
     const bool listed = !key.per.empty() && !key.counts;
-    key.get = [find = place_.find, get = access.get, listed](const Case& c) {
-      const Part* part = find(c);
+    key.get = [find = place.find, get = access.get, listed](const Case& c) {
+      const Whole* part = find(c);
       const KeyValue value = part == nullptr ? KeyValue() : get(*part);
       const auto* numbers = std::get_if<Numbers>(&value);
       return listed && numbers != nullptr ? shortened(*numbers) : value;
     };
-    key.set = [make = place_.make, set = access.set](Case& c, const KeyValue& value) {
+    key.set = [make = place.make, set = access.set](Case& c, const KeyValue& value) {
       set(make(c), value);
     };
   }
@@ -366,14 +393,17 @@ class Keys {
   Place<Part> place_;
 };
 
-// The sections, one function a file, in the order of the reference page.
+/// Makes the section of a model's options known to all case files, once. Not while another thread
+/// reads a case.
+void add_section(SectionWithKeys added);
+
+// The other sections, one function a file, in the order of the reference page.
 Sections load_sections();
 Sections friction_sections();
 Sections body_sections();
 Sections track_sections();
 Sections rolling_sections();
 Sections contact_sections();
-Sections model_sections();
 Sections output_sections();
 
 }  // namespace rollfem::contact

@@ -197,6 +197,7 @@ ModelRegistry& ModelRegistry::add(ModelInfo model) {
   if (find(model.name) != nullptr)
     throw std::logic_error(fmt::format("two models are named {}", model.name));
   if (model.label.empty()) model.label = model.name;
+  if (model.add_keys != nullptr) model.add_keys();
   models_.push_back(std::move(model));
   return *this;
 }

@@ -92,6 +92,7 @@ struct ModelInfo {
   std::string sentence;  ///< description for --help and docs/models.md
   Demands takes = {};    ///< supported features
   ModelRun run = nullptr;
+  void (*add_keys)() = nullptr;  ///< declares its options' keys (case/keys/key_builder.hpp)
   std::vector<Refinement> refinements = {};  ///< the first is the default of a study
   bool bounded = true;                       ///< its tractions respect the friction bound
   bool own_bound = false;                    ///< that bound is the theory's own, not mu p_n
@@ -137,8 +138,8 @@ const std::vector<ModelTrait>& model_traits();
 
 class ModelRegistry {
  public:
-  /// Appends a model; cheaper models come first. Throws std::logic_error for a model without a run,
-  /// a duplicate name, or a name unsuitable for files.
+  /// Appends a model, whose keys case files then may give; cheaper models come first. Throws
+  /// std::logic_error for a model without a run, a duplicate name, or a name unsuitable for files.
   ModelRegistry& add(ModelInfo model);
 
   const std::vector<ModelInfo>& all() const { return models_; }

@@ -55,11 +55,11 @@ meshes::TrueSection section_of(const contact::Scene& scene, bool is_wheel) {
   const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
   if (is_wheel || profiles.is_roller())
     return meshes::rim_section(profiles, is_wheel,
-                               scene.options.fem.rim_thickness.value_or(default_rim_thickness));
+                               options_of(scene).rim_thickness.value_or(default_rim_thickness));
   meshes::RailStand stand;
   stand.inclination = scene.rail_inclination;
   stand.field_at_left = scene.place && !scene.place->left;
-  stand.cut_depth = scene.options.fem.depth.value_or(default_cut_depth);
+  stand.cut_depth = options_of(scene).depth.value_or(default_cut_depth);
   return meshes::rail_section(profiles, stand);
 }
 
@@ -83,17 +83,16 @@ std::string section_note(const contact::Scene& scene) {
     text += fmt::format(
         "; the rail with the underside of the head, web and foot of 60E1, cut and fixed {:.4g} mm "
         "below its top",
-        std::min(default_cut_depth, scene.options.fem.depth.value_or(default_cut_depth)));
+        std::min(default_cut_depth, options_of(scene).depth.value_or(default_cut_depth)));
   if (!scene.wheel.material.rigid() || (roller && !scene.rail.material.rigid()))
     text += fmt::format("; the rim{} fixed {:.4g} mm from the contact",
                         roller ? "s of wheel and roller are" : " is",
-                        scene.options.fem.rim_thickness.value_or(default_rim_thickness));
+                        options_of(scene).rim_thickness.value_or(default_rim_thickness));
   return text;
 }
 
 void check_far_boundary(const contact::Scene& scene) {
-  if (has_true_sections(scene) &&
-      scene.options.fem.far_boundary == contact::FarBoundary::point_load)
+  if (has_true_sections(scene) && options_of(scene).far_boundary == FarBoundary::point_load)
     throw contact::InputError(
         scene.where(),
         "fem.far_boundary = \"point_load\" moves the far boundary like that of a half-space, "

@@ -206,11 +206,11 @@ ModelResult run_fem(const Scene& scene, const contact::Progress& progress,
       if (times == most_times)
         throw contact::SolveError(
             fmt::format("{}; do: give a larger fem.plastic_extent than {:.3g}", beyond.what(),
-                        grown.options.fem.plastic_extent));
-      grown.options.fem.plastic_extent *= growth;
+                        options_of(grown).plastic_extent));
+      grown.options.set<FemOptions>().plastic_extent *= growth;
       notes = {{"plastic_extent",
                 fmt::format("fem.plastic_extent grew from {:.3g} to {:.3g}, because {}",
-                            scene.options.fem.plastic_extent, grown.options.fem.plastic_extent,
+                            options_of(scene).plastic_extent, options_of(grown).plastic_extent,
                             beyond.what())}};
       contact::ProgressEvent event;
       event.model = "fem";

@@ -123,7 +123,7 @@ class SharedLevel {
   std::size_t most_beside() const;
   /// Adds the displacement by plastic flow to the responses of a compliance.
   void let_yield(FemCompliance& of_point) const {
-    if (yielding_ && scene.options.fem.pass_pressure == contact::PassPressure::yielding)
+    if (yielding_ && options_of(scene).pass_pressure == PassPressure::yielding)
       of_point.set_beyond_elastic(
           [this](const std::vector<Vector>& elastic) { return yielding_->respond(elastic); });
   }

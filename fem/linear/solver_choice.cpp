@@ -88,8 +88,8 @@ double coarse_unknowns(const Body& body) {
 /// Whether algebraic multigrid is used when the body is not factorised: as given in the case, or
 /// for a coarse mesh too large for geometric multigrid.
 bool takes_algebraic(const Scene& scene, const Body& body) {
-  return scene.options.fem.linear_solver == contact::LinearSolver::algebraic ||
-         (scene.options.fem.linear_solver == contact::LinearSolver::automatic &&
+  return options_of(scene).linear_solver == LinearMethod::algebraic ||
+         (options_of(scene).linear_solver == LinearMethod::automatic &&
           coarse_unknowns(body) > most_coarse_unknowns);
 }
 
@@ -103,18 +103,18 @@ std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Bo
 }
 
 bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
-  switch (scene.options.fem.linear_solver) {
-    case contact::LinearSolver::factorisation:
+  switch (options_of(scene).linear_solver) {
+    case LinearMethod::factorisation:
       if (demand.processes > 1)
         throw contact::InputError(scene.where(),
                                   "[fem] linear_solver = \"factorisation\" runs in one process "
                                   "only; allowed with mpirun: \"multigrid\", \"algebraic\" or "
                                   "\"automatic\"; do: change it or run without mpirun");
       return true;
-    case contact::LinearSolver::multigrid:
-    case contact::LinearSolver::algebraic:
+    case LinearMethod::multigrid:
+    case LinearMethod::algebraic:
       return false;
-    case contact::LinearSolver::automatic:
+    case LinearMethod::automatic:
       break;
   }
   if (demand.processes > 1) return false;
@@ -191,7 +191,7 @@ MemoryDemand expected_demand(const Scene& scene, double cell_size) {
   };
   MemoryDemand demand;
   demand.unknowns = {unknowns(true), unknowns(false)};
-  demand.algebraic = scene.options.fem.linear_solver == contact::LinearSolver::algebraic;
+  demand.algebraic = options_of(scene).linear_solver == LinearMethod::algebraic;
   return completed(scene, demand, bodies, true);
 }
 

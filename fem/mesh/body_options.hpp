@@ -2,6 +2,7 @@
 // Parameters of a body's mesh, and its boundary numbers.
 #pragma once
 
+#include "fem/fem_options.hpp"
 #include "fem/mesh/graded_depth.hpp"
 #include "meshes/hex_mesh.hpp"
 #include "scene/scene.hpp"
@@ -21,8 +22,6 @@ enum BoundaryId : dealii::types::boundary_id {
   symmetry_plane = 2,
   far_boundary = 3
 };
-
-using MeshFamily = contact::MeshFamily;
 
 /// Parameters of the mesh.
 struct BodyOptions {

@@ -129,25 +129,26 @@ void fit_to_profiles(const Scene& scene, const PatchBox& patch, BodyOptions& opt
 
 /// Width, depth, length and mesh family of the case.
 void set_segment_sizes(const Scene& scene, BodyOptions& options) {
-  options.family = scene.options.fem.mesh.value_or(MeshFamily::structured);
-  if (scene.options.fem.width) options.half_width = 0.5 * *scene.options.fem.width;
-  if (scene.options.fem.length) options.half_length = 0.5 * *scene.options.fem.length;
-  options.depth = scene.options.fem.depth;
+  const FemOptions& asked = options_of(scene);
+  options.family = asked.mesh.value_or(MeshFamily::structured);
+  if (asked.width) options.half_width = 0.5 * *asked.width;
+  if (asked.length) options.half_length = 0.5 * *asked.length;
+  options.depth = asked.depth;
 }
 
 BodyOptions body_options(const Scene& scene, const PatchBox& patch, const ContactGrid& grid,
                          double cell) {
-  const double reach = scene.options.fem.fine_extent.value_or(default_reach);
+  const double reach = options_of(scene).fine_extent.value_or(default_reach);
   BodyOptions options;
   options.cell_size = cell;
   options.fine_half_length = std::max(reach * patch.half_length, 0.5 * grid.nx * grid.dx);
   options.fine_half_width = std::max(reach * patch.half_width, 0.5 * grid.ny * grid.dy);
   options.middle = patch.middle;
-  options.extent = scene.options.fem.extent.value_or(
+  options.extent = scene.body_extent.value_or(
       std::max(default_extent(scene, expected_box(scene)),
                2.0 * std::max(options.fine_half_length, options.fine_half_width)));
   options.half = scene.is_symmetric() && patch.middle == 0.0;
-  options.degree = scene.options.fem.degree;
+  options.degree = options_of(scene).degree;
   if (scene.feels_inertia()) options.speed = scene.speed;
   set_segment_sizes(scene, options);
   if (scene.has_profiles()) fit_to_profiles(scene, patch, options);
@@ -157,8 +158,8 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
 }  // namespace
 
 double default_cell_size(const Scene& scene) {
-  return scene.options.fem.cell_size ? *scene.options.fem.cell_size
-                                     : expected_box(scene).smaller() / 8.0;
+  const auto& given = options_of(scene).cell_size;
+  return given ? *given : expected_box(scene).smaller() / 8.0;
 }
 
 RunLayout run_layout(const Scene& scene, double cell) {
@@ -170,7 +171,7 @@ RunLayout run_layout(const Scene& scene, double cell) {
   layout.patch.half_width += std::abs(layout.patch.middle - exact);
   // Linear displacements cannot follow an independent traction on every face: with elements of one
   // face the traction oscillates, and the contact iteration does not converge.
-  layout.grid = lattice_grid(layout.patch, scene.options.fem.degree == 1 ? 2.0 * cell : cell,
+  layout.grid = lattice_grid(layout.patch, options_of(scene).degree == 1 ? 2.0 * cell : cell,
                              scene.contact_grid.extent ? 0 : usual_margin);
   layout.bodies = body_options(scene, layout.patch, layout.grid, cell);
   return layout;
@@ -252,7 +253,7 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
   const double depth = deeper * patch.smaller() *
                        (roundness * depth_of_stress(part, nu, false) +
                         (1.0 - roundness) * depth_of_stress(part, nu, true));
-  const double h = options.cell_size, extent = scene.options.fem.plastic_extent;
+  const double h = options.cell_size, extent = options_of(scene).plastic_extent;
   const auto extended = [h, extent](double least, double length) {
     return std::ceil(std::max(least, extent * length) / h - 1e-6) * h;
   };

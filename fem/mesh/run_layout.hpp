@@ -6,12 +6,11 @@
 #include "base/grid.hpp"
 #include "fem/mesh/body_options.hpp"
 #include "halfspace/patch/patch_search.hpp"
-#include "halfspace/patch/true_sections.hpp"
+#include "halfspace/patch/profile_reach.hpp"
 #include "scene/scene.hpp"
 
 namespace rollfem::fem {
 
-using halfspace::has_true_sections;
 using halfspace::PatchBox;
 using halfspace::PatchSearch;
 

@@ -102,8 +102,8 @@ double relative_change(const std::vector<Deviator>& a, const std::vector<Deviato
 
 class YieldingBody {
  public:
-  YieldingBody(const contact::BodyPlasticity& steel, const contact::FemOptions& options,
-               bool pressed, const Body& body, const LinearSolver& solver)
+  YieldingBody(const contact::BodyPlasticity& steel, const FemOptions& options, bool pressed,
+               const Body& body, const LinearSolver& solver)
       : body_(body),
         solver_(solver),
         law_(steel, lame_mu(body.material())),
@@ -235,7 +235,7 @@ YieldingBodies::YieldingBodies(const contact::Scene& scene, const BodyPair& bodi
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& steel = (k == 0 ? scene.wheel : scene.rail).plasticity;
     if (steel && bodies[k] != nullptr)
-      parts_[k] = std::make_unique<YieldingBody>(*steel, scene.options.fem, scene.is_history(),
+      parts_[k] = std::make_unique<YieldingBody>(*steel, options_of(scene), scene.is_history(),
                                                  *bodies[k], *solvers[k]);
   }
 }

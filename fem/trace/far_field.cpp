@@ -182,18 +182,18 @@ void FarField::add(const std::array<double, 3>& force, Vector& displacement) con
   displacement.update_ghost_values();
 }
 
-contact::FarBoundary far_boundary_of(const contact::Scene& scene) {
+FarBoundary far_boundary_of(const contact::Scene& scene) {
   const bool given_mesh =
       has_true_sections(scene) || !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
-  return scene.options.fem.far_boundary.value_or(given_mesh ? contact::FarBoundary::clamped
-                                                            : contact::FarBoundary::point_load);
+  return options_of(scene).far_boundary.value_or(given_mesh ? FarBoundary::clamped
+                                                            : FarBoundary::point_load);
 }
 
 double approach_left_out(const contact::Scene& scene, double normal_force, double extent) {
   const double spread = PatchSearch(scene).box().larger() / extent;
   const auto of_body = [&](const contact::Material& material, double curvature, double round_to) {
     const double clamped = displacement_at(material, normal_force, extent);
-    if (far_boundary_of(scene) == contact::FarBoundary::clamped) return clamped;
+    if (far_boundary_of(scene) == FarBoundary::clamped) return clamped;
     // <x^2> = a^2/5 in Hertz's ellipse of pressure.
     return std::min(clamped, 0.2 * spread * spread * clamped +
                                  curvature_error(material, normal_force, extent, curvature,
@@ -218,7 +218,7 @@ double approach_left_out(const contact::Scene& scene, double normal_force, doubl
 }
 
 std::string far_boundary_note(const contact::Scene& scene, double extent) {
-  if (far_boundary_of(scene) == contact::FarBoundary::clamped)
+  if (far_boundary_of(scene) == FarBoundary::clamped)
     return fmt::format(
         "wheel and rail segments extend {:.4g} mm from the patch and are clamped there: the "
         "approach is that of these segments; its error estimate includes the possible increase for "

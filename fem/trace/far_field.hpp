@@ -82,7 +82,7 @@ class FarField {
 /// As given in the case; by default that of a half-space under a point load if rollfem meshes both
 /// bodies as boxes on the surface or around it, and clamped otherwise (true sections have free
 /// sides, unlike a half-space).
-contact::FarBoundary far_boundary_of(const contact::Scene& scene);
+FarBoundary far_boundary_of(const contact::Scene& scene);
 
 /// Upper estimate, mm, of the change of the approach at this force (N) in segments larger than
 /// `extent` (mm). Clamped: the half-spaces' displacement there. Point load: error of its

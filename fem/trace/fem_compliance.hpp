@@ -8,6 +8,7 @@
 
 #include "contact/iteration/compliance.hpp"
 #include "fem/discretisation/body.hpp"
+#include "fem/fem_options.hpp"
 #include "fem/linear/linear_solver.hpp"
 #include "fem/trace/middle_displacement.hpp"
 #include "scene/contact_surface.hpp"
@@ -45,7 +46,6 @@ class SurfaceCoupling {
 };
 
 /// Far boundary of the segments (far_field.hpp).
-using FarBoundary = contact::FarBoundary;
 
 class FemCompliance : public contact::Compliance {
  public:

@@ -28,7 +28,7 @@ constexpr double steepest_way = 0.5;
 constexpr double extent_in_semi_axes = 8.0;
 
 double extent_of_bodies(const Scene& scene) {
-  if (scene.options.fem.extent) return *scene.options.fem.extent;
+  if (scene.body_extent) return *scene.body_extent;
   const ExpectedPatch patch = PatchSearch(scene).patch();
   return extent_in_semi_axes * 0.5 * std::max(patch.length, patch.width);
 }

@@ -72,9 +72,8 @@ fem::SurfaceShape flat_twin(const fem::SurfaceShape& shape, const contact::Conta
 }
 
 bool has_boxes(const contact::Scene& scene) {
-  constexpr auto box = contact::MeshFamily::structured;
   return scene.wheel.mesh.empty() && scene.rail.mesh.empty() &&
-         scene.options.fem.mesh.value_or(box) == box;
+         fem::options_of(scene).mesh != fem::MeshFamily::gmsh;
 }
 
 contact::Scene with_boxes(const contact::Scene& scene) {
@@ -82,10 +81,10 @@ contact::Scene with_boxes(const contact::Scene& scene) {
   if (has_boxes(scene)) return boxes;
   boxes.wheel.mesh.clear();
   boxes.rail.mesh.clear();
-  contact::FemOptions& fem = boxes.options.fem;
-  fem.mesh = contact::MeshFamily::structured;
-  fem.depth.reset();
-  fem.far_boundary.reset();
+  auto& options = boxes.options.set<fem::FemOptions>();
+  options.mesh = fem::MeshFamily::structured;
+  options.depth.reset();
+  options.far_boundary.reset();
   return boxes;
 }
 

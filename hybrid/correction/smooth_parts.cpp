@@ -103,8 +103,7 @@ void add_displacement(const ContactGrid& grid, const std::vector<Row>& rows,
 /// Whether a body has a plane surface and is so large that it has no far boundary.
 bool is_half_space(const contact::Scene& scene, bool wheel) {
   const contact::ContactSurface& surface = scene.geometry.surface;
-  if (surface.profiles || fem::far_boundary_of(scene) != contact::FarBoundary::point_load)
-    return false;
+  if (surface.profiles || fem::far_boundary_of(scene) != fem::FarBoundary::point_load) return false;
   return wheel ? std::isinf(surface.wheel_transverse_radius) && std::isinf(surface.rolling_radius)
                : std::isinf(surface.rail_transverse_radius) && !surface.rail_is_roller();
 }
@@ -184,7 +183,7 @@ class SolvedBody {
         shape_(contact::patch_shape(scene.geometry.surface, grid)),
         grid_(grid),
         flat_(flat),
-        unbounded_(fem::far_boundary_of(scene) == contact::FarBoundary::point_load),
+        unbounded_(fem::far_boundary_of(scene) == fem::FarBoundary::point_load),
         nothing_(fem::make_vector(body.dofs())) {}
 
   /// Before it is loaded; unlike constructors, side by side.
@@ -458,7 +457,7 @@ SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const Scene& asked
   event.stage = "correction";
   contact::report(progress, event);
   const double cell = halfspace::PatchSearch(scene).box().smaller() / cells_in_semi_axis /
-                      (scene.options.fem.degree == 1 ? times_cells_of_degree_one : 1.0);
+                      (fem::options_of(scene).degree == 1 ? times_cells_of_degree_one : 1.0);
   const RunLayout layout = fem::run_layout(scene, cell);
   const Basis basis(scene, layout);
   SmoothParts parts;

@@ -3,6 +3,9 @@
 
 #include "base/errors.hpp"
 #include "base/progress.hpp"
+#include "case/checks/case_rules.hpp"
+#include "case/keys/key_builder.hpp"
+#include "fem/fem_options.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "hybrid/correction_scene.hpp"
@@ -17,9 +20,12 @@
 
 namespace rollfem::modelling {
 
+using contact::Case;
 using contact::Demand;
+using contact::GivenCase;
 using contact::ModelInput;
 using contact::RefinedInput;
+using fem::FarBoundary, fem::FemOptions, fem::LinearMethod, fem::MeshFamily, fem::PassPressure;
 
 namespace {
 
@@ -42,6 +48,167 @@ SmoothParts found_here(const contact::Scene& scene, const contact::Progress& pro
   return parts;
 }
 
+using contact::between, contact::otherwise, contact::positive, contact::silent_default;
+using contact::symbol, contact::unit;
+using FemKeys = contact::Keys<FemOptions>;
+
+void add_elements(FemKeys& keys) {
+  keys.add("cell_size", &FemOptions::cell_size, symbol("h"), unit("mm"), positive(),
+           otherwise("chosen from the size of the patch"),
+           "Size of a finite element in the patch, and of a contact element of this model.");
+  keys.add("degree", &FemOptions::degree, between(1, 2),
+           "Polynomial degree of the displacement; 1 is 15 to 20 times less accurate on the same "
+           "cells, with contact elements of two by two cells.");
+  keys.add("extent", &Case::body_extent, symbol("L"), unit("mm"), positive(),
+           otherwise("chosen from the size of the patch"),
+           "Distance from the middle of the patch to which wheel and rail are meshed.");
+  keys.add("fine_extent", &FemOptions::fine_extent, symbol("c"), between(1.0, 10.0),
+           otherwise("chosen by the model"),
+           "Extent of the finest cells, in semi-axes of the patch; more than 1.1 gains nothing.");
+  keys.add("linear_solver", &FemOptions::linear_solver,
+           {{"automatic", LinearMethod::automatic},
+            {"factorisation", LinearMethod::factorisation},
+            {"multigrid", LinearMethod::multigrid},
+            {"algebraic", LinearMethod::algebraic}},
+           "`automatic` chooses the one expected to be faster; `algebraic` (Trilinos ML) is for "
+           "imported meshes too fine to serve as a coarse level.");
+  keys.add("inertia", &Case::inertia,
+           "Include the inertia of wheel and rail and the wheel's centrifugal load at "
+           "rolling.speed, below 0.9 of the slower body's Rayleigh wave speed.");
+}
+
+void add_meshes(FemKeys& keys) {
+  keys.add(
+      "mesh", &FemOptions::mesh,
+      {{"structured", MeshFamily::structured}, {"gmsh", MeshFamily::gmsh}},
+      otherwise("`structured`"),
+      "`structured` lays a graded box on the surface; `gmsh` revolves or extrudes a quadrilateral "
+      "mesh of the cross-section, with profiles the true section of rail and wheel rim.");
+  keys.add("width", &FemOptions::width, unit("mm"), positive(), otherwise("twice the extent"),
+           "Width of the segments across rolling.");
+  keys.add("depth", &FemOptions::depth, unit("mm"), positive(),
+           otherwise("the extent; for true sections 172 (rail foot)"),
+           "Depth of the segments; for the true section of a rail the depth below its top at which "
+           "it is cut and fixed.");
+  keys.add(
+      "rim_thickness", &FemOptions::rim_thickness, unit("mm"), positive(), otherwise("65"),
+      "Thickness of the wheel's rim below the contact in a true section; its inner side is fixed.");
+  keys.add("length", &FemOptions::length, unit("mm"), positive(), otherwise("twice the extent"),
+           "Length of the segments along rolling, on the wheel of the arc.");
+  keys.add("far_boundary", &FemOptions::far_boundary,
+           {{"clamped", FarBoundary::clamped}, {"point_load", FarBoundary::point_load}},
+           otherwise("`point_load`; `clamped` with your own mesh or true sections"),
+           "Far boundary of the segments: `clamped`, or displaced like a half-space under the "
+           "force (`point_load`).");
+}
+
+void add_passes(FemKeys& keys) {
+  keys.add("passes", &FemOptions::passes, between(1, 1000), silent_default,
+           otherwise("one for each load point"),
+           "Passes over bodies that yield ([rail_plasticity], [wheel_plasticity]); the load points "
+           "of the case follow one another, again and again. At least one for each of them.");
+  keys.add("pass_pressure", &FemOptions::pass_pressure,
+           {{"yielding", PassPressure::yielding}, {"elastic", PassPressure::elastic}},
+           "Contact of the passes: `yielding`, that of the bodies as they are; `elastic`, as if "
+           "they had not changed their shape, for comparison with theory.");
+  keys.add(
+      "limit_state", &FemOptions::limit_state,
+      "Each pass (cycle of load points) starts from a state extrapolated from those before, so "
+      "that the state that repeats is reached in about half the passes; plastic strain is then "
+      "that of no number of passes, only its increments count.");
+  keys.add("plastic_extent", &FemOptions::plastic_extent, between(0.5, 10.0),
+           "Extent of the region that may yield, relative to the usual one (as deep as "
+           "elastic stress exceeds the yield stress); it grows where steel yields at its border.");
+}
+
+/// Inertia needs a speed below the Rayleigh wave speed, at which moving loads have no steady
+/// solution and the stiffness with inertia becomes indefinite.
+void check_inertia(const GivenCase& given, const Case& input) {
+  if (!input.inertia) return;
+  if (input.rolling.speed <= 0.0)
+    fail_at(given, "fem.inertia", "needs a rolling speed, and rolling.speed is 0",
+            "true with rolling.speed > 0", "give `speed` in mm/s under [rolling], or remove it");
+  for (const bool wheel : {true, false}) {
+    const contact::Material& material = wheel ? input.wheel.material : input.rail.material;
+    const double limit = contact::largest_rayleigh_fraction * contact::rayleigh_speed(material);
+    if (input.rolling.speed < limit) continue;
+    fail_at(given, "rolling.speed",
+            fmt::format("is at or above {} of the Rayleigh wave speed of the {}, {:.4g} mm/s",
+                        contact::largest_rayleigh_fraction, wheel ? "wheel" : "rail",
+                        contact::rayleigh_speed(material)),
+            fmt::format("below {:.4g} mm/s", limit),
+            "lower the speed (mm/s), check young_modulus (MPa) and density (t/mm^3), or remove "
+            "fem.inertia");
+  }
+}
+
+/// One load point for each pass, by default one pass for each load point.
+void repeat_load_points(const GivenCase& given, Case& input) {
+  FemOptions& fem = input.options.set<FemOptions>();
+  const int points = fem.cycle = static_cast<int>(input.rolling.creepages.size());
+  const contact::GivenValue* passes = given.find("fem", "passes");
+  if (passes == nullptr) fem.passes = points;
+  if (fem.passes < points)
+    fail_at(given, "fem.passes",
+            fmt::format("leaves out some of the {} load points, each of which is a pass", points),
+            fmt::format("at least {}, one cycle of them", points),
+            "raise it, or shorten the lists of creepages or forces");
+  const auto repeat = [&](auto& entries) {
+    if (entries.empty()) return;
+    const auto once = entries;
+    entries.clear();
+    for (int pass = 0; pass < fem.passes; ++pass) entries.push_back(once[pass % once.size()]);
+  };
+  repeat(input.rolling.creepages);
+  repeat(input.rolling.forces);
+  repeat(input.wheelset.rotation_change);
+}
+
+void complete(const GivenCase& given, Case& input) {
+  namespace when = contact::when;
+  static const std::vector<contact::Exclusion> exclusions{
+      {!when::yields,
+       {"fem.passes", "fem.pass_pressure", "fem.limit_state", "fem.plastic_extent"},
+       "is for bodies that yield, but this case has none",
+       "with [rail_plasticity] or [wheel_plasticity]",
+       "add `yield_stress = 520.0` under [rail_plasticity], or remove it"},
+      {when::shift,
+       {"fem.passes", "fem.pass_pressure", "fem.limit_state"},
+       "is of loads that roll over a body, but rolling.problem is shift",
+       "the problems steady and frictionless",
+       "remove it; the steps of [history] press bodies that yield"},
+      {!when::profiles || !when::has("fem", "mesh") || when::is("fem", "mesh", "structured"),
+       {"fem.rim_thickness"},
+       "is of the wheel's true section, which this case does not mesh",
+       "with profiles and mesh = \"gmsh\"",
+       "write `mesh = \"gmsh\"` under [fem], or remove it"},
+      {when::yields,
+       {"fem.inertia"},
+       "is for elastic bodies, but this case has bodies that yield",
+       "without [rail_plasticity] and [wheel_plasticity]",
+       "remove one of the two"},
+      // A given mesh is clamped at its group `fixed`, which need not enclose it.
+      {when::own_mesh,
+       {"fem.far_boundary"},
+       "applies to segments meshed by rollfem, but this case provides a mesh",
+       "\"clamped\"",
+       "remove fem.far_boundary, or the mesh"}};
+  for (const contact::Exclusion& one : exclusions) contact::check_exclusion(given, one);
+  if (input.yields() && input.rolling.problem != contact::Problem::shift)
+    repeat_load_points(given, input);
+  check_inertia(given, input);
+}
+
+void add_fem_keys() {
+  FemKeys keys("fem", "Finite-element model");
+  add_elements(keys);
+  add_meshes(keys);
+  add_passes(keys);
+  keys.section().position = 5;
+  keys.section().complete = complete;
+  contact::add_section(keys);
+}
+
 /// The expected patch, from which the model derives values missing from the case.
 halfspace::PatchBox box_for(const ModelInput& input, const char* key) {
   try {
@@ -56,26 +223,26 @@ halfspace::PatchBox box_for(const ModelInput& input, const char* key) {
 
 /// The case's own cell is the last level.
 RefinedInput cell_level(ModelInput input, int k, int n) {
-  if (!input.options.fem.cell_size)
-    input.options.fem.cell_size = box_for(input, "cell_size").smaller() / 8.0;
-  const double size = *input.options.fem.cell_size * std::exp2(n - 1 - k);
-  input.options.fem.cell_size = size;
+  auto& cell = input.options.set<FemOptions>().cell_size;
+  if (!cell) cell = box_for(input, "cell_size").smaller() / 8.0;
+  const double size = *cell * std::exp2(n - 1 - k);
+  cell = size;
   return {fmt::format("{:.4g} mm", size), size, std::move(input)};
 }
 
 RefinedInput degree_level(ModelInput input, int k, int /*n*/) {
-  input.options.fem.degree = k + 1;
+  input.options.set<FemOptions>().degree = k + 1;
   return {fmt::format("degree {}", k + 1), k + 1.0, std::move(input)};
 }
 
 /// The case's own domain is the last but one.
 RefinedInput domain_level(ModelInput input, int k, int n) {
-  if (!input.options.fem.extent) input.options.fem.extent = 8.0 * box_for(input, "extent").larger();
+  if (!input.body_extent) input.body_extent = 8.0 * box_for(input, "extent").larger();
   const double factor = std::exp2(k - (n - 2));
-  for (auto* length : {&input.options.fem.extent, &input.options.fem.width,
-                       &input.options.fem.depth, &input.options.fem.length})
+  auto& options = input.options.set<FemOptions>();
+  for (auto* length : {&input.body_extent, &options.width, &options.depth, &options.length})
     if (*length) **length *= factor;
-  const double size = *input.options.fem.extent;
+  const double size = *input.body_extent;
   return {fmt::format("extent {:.4g} mm", size), size, std::move(input)};
 }
 
@@ -108,6 +275,7 @@ contact::ModelInfo hybrid_model() {
     return hybrid::run_hybrid(input, progress, checkpoint, find_smooth_parts);
   };
   hybrid.refinements = {halfspace::contact_grid()};
+  hybrid.add_keys = add_fem_keys;
   hybrid.half_spaces = false;
   hybrid.choosable = contact::Choosable::corrected_half_spaces;
   hybrid.has_stress = hybrid.corrects_stress = hybrid.parallel = true;
@@ -129,6 +297,7 @@ contact::ModelInfo fem_model() {
   fem.refinements = {{"cell", "grid", "FE cell", 2.0, 3, false, cell_level},
                      {"degree", "", "degree", 0.0, 2, true, degree_level},
                      {"domain", "", "extent", 2.0, 3, false, domain_level}};
+  fem.add_keys = add_fem_keys;
   fem.half_spaces = false;
   fem.choosable = contact::Choosable::finite_bodies;
   fem.measures_others = fem.has_stress = fem.keeps_bodies = fem.parallel = fem.in_compare = true;

@@ -3,10 +3,12 @@
 
 #include "base/errors.hpp"
 #include "base/threads.hpp"
+#include "fem/fem_options.hpp"
 #include "halfspace/curvature/curvature_error.hpp"
+#include "halfspace/halfspace_models.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"
-#include "halfspace/patch/true_sections.hpp"
+#include "halfspace/patch/profile_reach.hpp"
 #include "modelling/choice/laws.hpp"
 #include "modelling/fem/fem_models.hpp"
 #include "modelling/program/provenance.hpp"
@@ -92,7 +94,7 @@ ContactSize size_of(const Scene& scene) {
       scene.friction() != nullptr && !scene.points.empty() && scene.points.front().load.is_tilted();
   size.meshed_bodies = meshed_bodies(scene);
   size.line = scene.geometry.line.has_value();
-  size.true_sections = halfspace::has_true_sections(scene);
+  size.true_sections = fem::has_true_sections(scene);
   size.steep = halfspace::is_steep(scene);
   // No look-up with several processes, which might disagree.
   if (size.bodies_known && !scene.given_pressure && processes().count == 1)
@@ -111,8 +113,7 @@ std::string out_of_question(const contact::ModelInfo& model, const Scene& scene)
   if (scene.asks_for_stress() && !model.has_stress)
     return "it computes no stress below the surface";
   const bool meshes = !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
-  const bool boxes =
-      !scene.options.fem.mesh || *scene.options.fem.mesh == contact::MeshFamily::structured;
+  const bool boxes = fem::options_of(scene).mesh != fem::MeshFamily::gmsh;
   if (model.choosable == Choosable::corrected_half_spaces && (meshes || !boxes) &&
       scene.asks_for_stress())
     return "it computes stress only in bodies that are boxes below their surface";
@@ -164,7 +165,7 @@ Scene on_grid(Scene scene, int across) {
 
 Scene on_cells(Scene scene, int across) {
   const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
-  scene.options.fem.cell_size = std::min(extent.length, extent.width) / across;
+  scene.options.set<fem::FemOptions>().cell_size = std::min(extent.length, extent.width) / across;
   return scene;
 }
 
@@ -197,7 +198,7 @@ Subject subject_of(const Scene& asked, std::vector<Forecast> forecasts, const So
   made.where = asked.where();
   const auto scene = std::make_shared<Scene>(asked);
   scene->accuracy.relative.reset();  // accuracy and estimates are the matter of the choice
-  scene->options.halfspace.model_error = false;
+  scene->options.set<halfspace::HalfspaceOptions>().model_error = false;
   const auto estimate = std::make_shared<Estimate>();
   made.solve = [scene, estimate, &how](const Forecast& forecast, int across) {
     const contact::ModelInfo& model = how.models->at(forecast.model);

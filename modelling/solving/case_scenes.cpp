@@ -71,7 +71,7 @@ Placed placed_wheels(const Case& input) {
 }
 
 Case on_common_surface(Case input) {
-  input.halfspace.surface = contact::SurfaceForm::curved;
+  input.surface = contact::SurfaceForm::curved;
   return input;
 }
 

@@ -327,7 +327,7 @@ Part solve_on_common_surface(const contact::Case& input, const Placed& wheels, S
 Part solve_on_fitting_surface(const contact::Case& input, const Placed& wheels,
                               const Solving& how) {
   const std::size_t positions = input.wheelset.positions();
-  if (!wheels || input.halfspace.surface != contact::SurfaceForm::automatic || !how.together)
+  if (!wheels || input.surface != contact::SurfaceForm::automatic || !how.together)
     return solve_part(input, wheels, how);
   try {
     Part part = solve_part(input, wheels, how);

@@ -2,6 +2,7 @@
 """A model registered by one line (tests/support/toy_program.cpp) is there in every command, in help, messages, tables
 and reports."""
 
+import h5py
 import pytest
 from program import SMALL, TOY_PROGRAM, refused, rolling, says
 
@@ -21,10 +22,10 @@ def done(rollfem):
 def test_is_in_help_docs_checks_and_messages(rollfem, toy, done):
     file = rollfem.case({"models": ["stiff"]} | QUICK, "q.toml")
     for command in "run", "compare", "study":
-        says(done(command, "--help").out, "the half-space, its compliance times 0.9")
+        says(done(command, "--help").out, "the half-space, less compliant")
     says(done("docs", "models").out, "| `stiff` | stiff half-space |")
     says(done("docs", "case-file").out, "halfspace, hybrid, fem, stiff |")
-    says(done("check", file).out, "stiff                  the half-space, its compliance times 0.9")
+    says(done("check", file).out, "stiff                  the half-space, less compliant")
     says(toy("run", file, "--model", "stif").err, "halfspace, hybrid, fem, stiff; do: ")
     # Without it the same file is refused, with line, key, value and allowed values.
     without = rollfem.call("check", file)
@@ -38,6 +39,24 @@ def test_is_in_help_docs_checks_and_messages(rollfem, toy, done):
     refused(toy("run", fast, "--model", "stiff"), "model stiff: fem.inertia: it cannot handle the inertia of moving bodies; "
             "allowed: fem; do: run with --model fem")
     assert rollfem.made() == []
+
+
+def test_brings_its_own_section_of_the_case_file(rollfem, toy, done):
+    keys = {"stiff.compliance": 0.5}
+    file = rollfem.case(QUICK | keys, "k.toml")
+    says(done("docs", "case-file").out, "## [stiff]\n\nModel `stiff`.", "| `compliance` | 0.1 to 1 | 0.9 | Compliance over")
+    says(done("new-case").out, "[stiff]\n# Compliance over that of the bodies.")
+    says(done("check", file).out, "[stiff]\n  compliance             0.5\n")
+    refused(toy("check", file, "--set", "stiff.compliance=2"), "stiff.compliance=2: is out of bounds; allowed: a number from 0.1 to 1; do: ")
+    refused(toy("check", file, "--set", "stiff.complyance=0.6"), "did you mean `compliance`?")
+    layer = rollfem.case(QUICK | keys | {"layer.thickness": 0.02, "layer.shear_modulus": 800.0}, "l.toml")
+    refused(toy("check", layer), "stiff.compliance = 0.5: is too small for a layer; allowed: above 0.5")
+    refused(rollfem.call("check", file), "stiff: is not a key of a case file")
+    done("run", file, "-m", "halfspace", "stiff", "--no-report", "-o", "out")
+    soft, stiff = (model["points"][0]["max_pressure"] for model in rollfem.models("out"))
+    assert stiff / soft == pytest.approx(0.5 ** (-2 / 3), abs=1e-6)
+    with h5py.File(rollfem.work / "out/results.h5") as stored:
+        assert stored["case/keys"].attrs["stiff.compliance"] == 0.5
 
 
 def test_the_constant_of_a_law_is_a_key_of_that_law(rollfem, toy, done):

@@ -7,16 +7,14 @@
 #include "theories/elliptic_patch.hpp"
 
 #include "fuzz/target.hpp"
-#include "support/half_space_models.hpp"
+#include "support/model_keys.hpp"
 
 using namespace rollfem;
 
 std::string outcome_of(const std::string& input) {
   try {
-    const contact::ModelRegistry& models = rollfem::testing::half_space_models();
-    contact::KnownNames words;
-    for (const contact::ModelInfo& model : models.all()) words.models.push_back(model.name);
-    words.default_models = {"halfspace"};
+    const contact::ModelRegistry& models = rollfem::testing::registered;
+    const contact::KnownNames words = modelling::known_names(models);
     const contact::Case read = contact::parse_case(input, "case.toml", words);
     static_cast<void>(contact::describe(read, words));
     static_cast<void>(contact::derived_values(read));

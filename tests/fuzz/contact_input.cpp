@@ -6,6 +6,7 @@
 #include "convert/contact_reader.hpp"
 #include "convert/conversion.hpp"
 #include "fuzz/target.hpp"
+#include "support/model_keys.hpp"
 
 using namespace rollfem;
 

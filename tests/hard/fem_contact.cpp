@@ -117,7 +117,7 @@ TEST(HardFem, PatchTwentyTimesAsWideAsLong) {
   const auto patch = halfspace::hertz_of_scene(input);
   ASSERT_GT(patch.semi_axis_y / patch.semi_axis_x, 20.0);
   input.rolling.creepages = {{1e-4, 0, 0}};
-  input.fem.extent = 3 * patch.semi_axis_y;
+  input.body_extent = 3 * patch.semi_axis_y;
   expect_same(solve_both(input, 4), input, 0.005, 0.01);
 }
 
@@ -146,7 +146,7 @@ TEST(HardFem, OneMilliNewtonOnAFullWheel) {
 TEST(HardFem, GrazingLoadOnThreeCellsIsWithinItsErrorEstimate) {
   Case input = rollers(400, 400, 50);
   const auto exact = halfspace::hertz_of_scene(input);
-  input.fem.cell_size = exact.semi_axis_x / 1.5;
+  input.options.set<fem::FemOptions>().cell_size = exact.semi_axis_x / 1.5;
   input.rolling.creepages = {{0, 0, 0}};
   const PointResult point = fem::run_fem(input, {}).points[0];
   EXPECT_NEAR(point.normal_force, 50.0, 50.0 * 1e-10) << "what the sharing of the load is ended at";
@@ -157,7 +157,7 @@ TEST(HardFem, GrazingLoadOnThreeCellsIsWithinItsErrorEstimate) {
 TEST(HardFem, PatchAtTheEdgeOfTheMeshIsRefused) {
   Case input = rollers(400, 400, 50);
   input.rolling.creepages = {{0, 0, 0}};
-  input.fem.extent = 1.05 * smaller_semi_axis(input);
+  input.body_extent = 1.05 * smaller_semi_axis(input);
   EXPECT_TRUE(says(refusal<contact::InputError>([&] {
                      fem::run_level(input, {smaller_semi_axis(input) / 3, "", false}, {});
                    }),

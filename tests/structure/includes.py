@@ -2,7 +2,8 @@
 """Checks that includes between modules, and between the rooms of a module, run one way.
 
 base <- case <- scene <- result <- contact <- halfspace <- fem; result keeps results in files and knows no solver;
-theories stand on halfspace; hybrid knows halfspace and is given what fem finds; convert knows cases and closed forms;
+theories stand on halfspace; hybrid knows halfspace and the options of fem, and is given what fem finds; convert knows
+cases and closed forms;
 profiles and meshes know cases and scenes, no solver; track places profiles, finds their contacts and balances loads and
 rotation over them, for which it knows halfspace; modelling registers what solves, opens fem at run time, and
 chooses among models (of which modelling/choice knows results only); tables fills tables of creep forces and keeps them
@@ -36,10 +37,10 @@ ALLOWED = {
     "track": {**SOLVER, "halfspace": ANY, "profiles": ANY},
     "fem": {**SOLVER, "halfspace": ANY, "meshes": ANY},
     "hybrid/correction": {**SOLVER, "halfspace": ANY, "fem": ANY, "hybrid": {""}},
-    "hybrid": {**SOLVER, "halfspace": ANY},
+    "hybrid": {**SOLVER, "halfspace": ANY, "fem": {""}},
     "modelling/choice": {"base": ANY, "result": {""}},
     "modelling": {**SOLVER, "result": ANY, "halfspace": ANY, "theories": ANY, "hybrid": ANY, "track": ANY,
-               "fem": {"elasticity"}},
+               "fem": {"", "elasticity"}},
     "convert": {**SCENES, "halfspace": {"closed_forms"}},
     "tables/files": {"base": ANY, "case": ANY, "result": {"files", "hdf5"}},
     "tables": {**SOLVER, "halfspace": ANY, "track": ANY, "result": ANY},
@@ -53,7 +54,7 @@ ALLOWED = {
 # Rooms of a module, each of which may include those before it.
 ROOMS = {
     "halfspace": ["closed_forms", "elasticity", "patch", "stress", "model", "curvature", ""],
-    "fem": ["mesh", "discretisation", "linear", "trace", "stress", "plasticity", "elasticity"],
+    "fem": ["", "mesh", "discretisation", "linear", "trace", "stress", "plasticity", "elasticity"],
     "hybrid": ["", "correction"],
     "track": ["placement", "search", "motion", "balance", "pair"],
     "case": ["", "keys", "checks", "reading"],

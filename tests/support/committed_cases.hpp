@@ -4,6 +4,7 @@
 
 #include "case/reading/case_reader.hpp"
 
+#include "support/model_keys.hpp"
 #include "support/places.hpp"
 #include "support/test.hpp"
 #include "support/thesis_cases.hpp"

@@ -19,7 +19,7 @@ PointResult run(const PatchCase& input) {
 }
 
 PatchCase curved(PatchCase input) {
-  input.halfspace.surface = SurfaceForm::curved;
+  input.surface = SurfaceForm::curved;
   return input;
 }
 

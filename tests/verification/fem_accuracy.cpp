@@ -14,7 +14,7 @@ contact::Case frictionless_case_a() {
   contact::Case input = committed_case('a', {0.0});
   input.rolling.problem = contact::Problem::frictionless;
   input.output.fields = false;
-  input.fem.cell_size.reset();
+  input.options.set<fem::FemOptions>().cell_size.reset();
   return input;
 }
 
@@ -42,7 +42,7 @@ TEST(FemAccuracy, IsReachedWithAnEstimateOfTheRightSize) {
 TEST(FemAccuracy, WithoutEnoughMemoryIsReportedWithTheFinestResult) {
   contact::Case input = frictionless_case_a();
   input.accuracy = 1e-5;
-  input.fem.cell_size = 0.95;  // two levels fit, the next does not
+  input.options.set<fem::FemOptions>().cell_size = 0.95;  // two levels fit, the next does not
   setenv("ROLLFEM_MEMORY_GB", "0.4", 1);
   const contact::ModelResult result = fem::run_fem(input, {});
   unsetenv("ROLLFEM_MEMORY_GB");

@@ -27,10 +27,10 @@ contact::Case single_wheel() {
   input.wheelset.side = contact::WheelSide::right;
   input.wheelset.track_position = {0.0};
   input.rolling.problem = contact::Problem::frictionless;
-  input.fem.mesh = contact::MeshFamily::structured;
-  input.fem.extent = 15.0;
-  input.fem.degree = 1;
-  input.fem.linear_solver = contact::LinearSolver::factorisation;
+  input.options.set<fem::FemOptions>().mesh = fem::MeshFamily::structured;
+  input.body_extent = 15.0;
+  input.options.set<fem::FemOptions>().degree = 1;
+  input.options.set<fem::FemOptions>().linear_solver = fem::LinearMethod::factorisation;
   return input;
 }
 

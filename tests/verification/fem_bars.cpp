@@ -13,11 +13,12 @@ TEST(FemBars, HoldOutsideTheFamilyAndAreNotUseless) {
   RandomWheelRail contacts(1);
   contact::Case input = contacts.contact(0);  // 3.0 by 1.4 mm, half of each body
   const halfspace::HertzContact hertz = halfspace::hertz_of_scene(contact::Scene(input));
-  input.fem.extent = 3.0 * std::max(hertz.semi_axis_x, hertz.semi_axis_y);
+  input.body_extent = 3.0 * std::max(hertz.semi_axis_x, hertz.semi_axis_y);
   input.subsurface = points_below(hertz.semi_axis_x, hertz.semi_axis_y);
   RecordsInMemory levels;  // those that both runs have are solved once
   const auto run = [&](double parts) {
-    input.fem.cell_size = std::min(hertz.semi_axis_x, hertz.semi_axis_y) / parts;
+    input.options.set<fem::FemOptions>().cell_size =
+        std::min(hertz.semi_axis_x, hertz.semi_axis_y) / parts;
     return fem::run_fem(contact::Scene(input), {}, &levels).points.front();
   };
   const contact::PointResult point = run(4.0);

@@ -70,7 +70,7 @@ TEST(FemCurvedContact, OfCaseFShiftsTheCreepCurveAsTheCurvedHalfspaceOnTheSameCe
   // below, with its sign turned 0.0073.
   contact::Case same_cells = committed_case('f', {0.0, 0.002});
   same_cells.contact_grid.cell_size = {{0.94, 0.94}};
-  same_cells.halfspace.surface = contact::SurfaceForm::curved;
+  same_cells.surface = contact::SurfaceForm::curved;
   const contact::ModelResult half = halfspace::run_halfspace(same_cells, {});
   for (const int k : {0, 1}) {
     const double difference = case_f().points[k].traction_coefficient -

@@ -56,11 +56,11 @@ TEST(Hybrid, OfAFreeMeshIsThatOfTheBox) {
   // Sections by gmsh have a twin with other cells than theirs: a box. What they add must be what
   // boxes add to within what a hybrid calls uncertain of it, a tenth.
   contact::Case input = study_on_40('e', {0.0});
-  input.fem.extent = 30.0;
+  input.body_extent = 30.0;
   contact::Scene scene(input);
   scene.follows_surface = 1.0;
   const hybrid::SmoothParts boxes = hybrid::find_smooth_parts(scene, {});
-  scene.options.fem.mesh = contact::MeshFamily::gmsh;
+  scene.options.set<fem::FemOptions>().mesh = fem::MeshFamily::gmsh;
   const hybrid::SmoothParts free = hybrid::find_smooth_parts(scene, {});
   EXPECT_NE(free.unknowns, boxes.unknowns);
   const double wheel = farthest(beyond(free.wheel), beyond(boxes.wheel));
@@ -79,7 +79,7 @@ TEST(Hybrid, AFlatRailIsNotMeshed) {
   input.wheel.transverse_radius = 100.0;
   input.wheel.material.young_modulus = contact::infinity;
   input.rail.transverse_radius = contact::infinity;
-  input.fem.extent = 25.0;
+  input.body_extent = 25.0;
   contact::Scene scene(input);
   scene.follows_surface = 1.0;
   const hybrid::SmoothParts plain = hybrid::find_smooth_parts(scene, {});
@@ -95,11 +95,11 @@ TEST(Hybrid, LinearCellsFindWhatQuadraticOnesDo) {
   // With as many cells as quadratic ones, linear ones once had a fit that was not determined.
   contact::Case input = study_on_40('b', {0.0});
   input.rail.material.young_modulus = contact::infinity;
-  input.fem.extent = 25.0;
+  input.body_extent = 25.0;
   contact::Scene scene(input);
   scene.follows_surface = 1.0;
   const auto quadratic = hybrid::find_smooth_parts(scene, {});
-  scene.options.fem.degree = 1;
+  scene.options.set<fem::FemOptions>().degree = 1;
   const auto linear = hybrid::find_smooth_parts(scene, {});
   const double difference = farthest(beyond(linear.wheel), beyond(quadratic.wheel));
   EXPECT_LT(difference, 0.1);

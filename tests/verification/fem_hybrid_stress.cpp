@@ -60,7 +60,7 @@ TEST(HybridStress, IsThatOfHertzInBodiesThatAreHalfSpaces) {
   const double p0 = 1.5 * 0.05 / (M_PI * a * a);
   constexpr int points = 13;
   input.subsurface = {line_down(true, 3.0 * a, points), line_down(false, 3.0 * a, points)};
-  input.fem.extent = 5.0 * a;
+  input.body_extent = 5.0 * a;
   // Fewer elements than three in the semi-axis of a circle do not tell the tractions apart.
   const auto point = hybrid_of(input, 3.0);
   double worst = 0.0;

@@ -12,6 +12,7 @@
 #include "support/fem_quarter_ring.hpp"
 #include "support/fem_test_support.hpp"
 #include "support/half_space_models.hpp"
+#include "support/model_keys.hpp"
 #include "support/recorded.hpp"
 
 namespace {

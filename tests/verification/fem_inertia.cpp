@@ -237,8 +237,8 @@ TEST(WheelExpansion, IsThatOfASpinningDiscWhateverTheSegment) {
 std::vector<contact::PointResult> case_a(double speed, const std::vector<double>& creepages) {
   contact::Case input = committed_case('a', creepages);
   input.rolling.speed = speed;
-  input.fem.inertia = true;
-  input.fem.extent = 60;
+  input.inertia = true;
+  input.body_extent = 60;
   return fem::run_level(input, {1.88, "", false}, {}).points;
 }
 

@@ -35,7 +35,7 @@ TEST(FemMeshFamilies, AgreeOnTheCurvedCase) {
   // semi-axis.
   contact::Case input = committed_case('e', {0.002});
   const auto one = fem::run_level(input, {0.94, "", false}, {}).points.front();
-  input.fem.mesh = contact::MeshFamily::gmsh;
+  input.options.set<fem::FemOptions>().mesh = fem::MeshFamily::gmsh;
   const auto other = fem::run_level(input, {0.94, "", false}, {}).points.front();
   EXPECT_NEAR(other.max_pressure / one.max_pressure, 1.0, 5e-3);
   EXPECT_NEAR(other.traction_coefficient, one.traction_coefficient, 0.01 * 0.55);
@@ -65,7 +65,7 @@ TEST(FemSegments, LeaveTheForceWithoutCreepageWhereverTheyEnd) {
   contact::Case input = committed_case('a', {0.0});
   double coefficient[2];
   for (const int k : {0, 1}) {
-    input.fem.extent = k == 0 ? 43.5 : 87.0;
+    input.body_extent = k == 0 ? 43.5 : 87.0;
     const auto point = fem::run_level(input, {1.88, "", false}, {}).points.front();
     coefficient[k] = point.traction_coefficient;
   }

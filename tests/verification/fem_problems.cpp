@@ -18,16 +18,17 @@ constexpr double fine = 1.2;
 
 Case case_b(double cell = coarse) {
   Case input = thesis_case('b');
-  input.fem.cell_size = cell;
+  input.options.set<fem::FemOptions>().cell_size = cell;
   input.contact_grid.cell_size = {{cell, cell}};
-  input.fem.extent = 30.0;
-  input.fem.linear_solver = contact::LinearSolver::factorisation;
+  input.body_extent = 30.0;
+  input.options.set<fem::FemOptions>().linear_solver = fem::LinearMethod::factorisation;
   input.output.fields = false;
   return input;
 }
 
 ModelResult finite_elements(const Case& input) {
-  return fem::run_level(input, {*input.fem.cell_size, "", false, nullptr}, {});
+  return fem::run_level(input,
+                        {*input.options.set<fem::FemOptions>().cell_size, "", false, nullptr}, {});
 }
 
 ModelResult half_space(const Case& input) {
@@ -137,7 +138,7 @@ TEST(FemProblems, ARigidBodyRollsAsInTheHalfSpace) {
 
 TEST(FemProblems, ALayerThatYieldsTransmitsAsMuchAsBetweenHalfSpaces) {
   Case input = case_b(1.8);
-  input.fem.extent = 18.0;
+  input.body_extent = 18.0;
   input.layer = contact::Layer{0.02, 800.0, 150.0, 500.0};
   input.rolling.creepages = {{3e-3, 0.0, 0.0}};
   const PointResult fem = finite_elements(input).points.front();
@@ -188,7 +189,7 @@ TEST(FemProblems, ExtraSlipIsThatOfTheSurfaceUnlessTheCaseSaysOtherwise) {
   };
   // At no creepage the wheel drives beside its middle, as on the curved half-space.
   Case curved = input;
-  curved.halfspace.surface = contact::SurfaceForm::curved;
+  curved.surface = contact::SurfaceForm::curved;
   EXPECT_NEAR(coefficient(contact::ExtraSlip::automatic),
               half_space(curved).points.front().traction_coefficient, 0.015);
   EXPECT_NEAR(coefficient(contact::ExtraSlip::none), 0.005, 0.006);

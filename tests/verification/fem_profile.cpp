@@ -24,8 +24,8 @@ contact::Case plain_case(double creepage) {
   input.load.normal_force = 50e3;
   input.friction_coefficient = 0.55;
   input.rolling.creepages = {{creepage, 0.0, 0.0}};
-  input.fem.mesh = contact::MeshFamily::structured;
-  input.fem.extent = 36.0;
+  input.options.set<fem::FemOptions>().mesh = fem::MeshFamily::structured;
+  input.body_extent = 36.0;
   return input;
 }
 
@@ -71,11 +71,11 @@ namespace {
 /// mm, a quarter of the patch's half length.
 constexpr double coarse_cell = 1.6;
 
-contact::Scene left_wheel(contact::MeshFamily family) {
+contact::Scene left_wheel(fem::MeshFamily family) {
   contact::Scene scene = left_wheel_scene({0.002});
-  scene.options.fem.mesh = family;
-  scene.options.fem.linear_solver = contact::LinearSolver::factorisation;
-  scene.options.fem.extent = 30.0;
+  scene.options.set<fem::FemOptions>().mesh = family;
+  scene.options.set<fem::FemOptions>().linear_solver = fem::LinearMethod::factorisation;
+  scene.body_extent = 30.0;
   return scene;
 }
 
@@ -89,7 +89,7 @@ contact::PointResult half_space() {
 
 TEST(FemOnTheStudysLeftWheel, WithBoxesHasPressureAndForcesOfTheHalfSpace) {
   const contact::PointResult fem =
-      solve(left_wheel(contact::MeshFamily::structured), coarse_cell).points.front();
+      solve(left_wheel(fem::MeshFamily::structured), coarse_cell).points.front();
   const contact::PointResult half = half_space();
   // Grid and cells are coarse: both are 1 to 2 % off their limit in p0.
   EXPECT_NEAR(fem.max_pressure / half.max_pressure, 1.0, 0.02);
@@ -116,7 +116,7 @@ TEST(FemNearTheFlange, ASteepBoxHasThePressureOfTheHalfSpace) {
 }
 
 TEST(FemOnTheStudysLeftWheel, WithTrueSectionsHasThePressureOfTheHalfSpace) {
-  contact::Scene scene = left_wheel(contact::MeshFamily::gmsh);
+  contact::Scene scene = left_wheel(fem::MeshFamily::gmsh);
   scene.problem = contact::Problem::frictionless;
   const contact::PointResult fem = solve(scene, 2.0).points.front();
   const contact::PointResult half = half_space();

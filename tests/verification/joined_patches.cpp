@@ -106,7 +106,7 @@ OnTrack solved(const contact::Case& input, int across) {
 
 OnTrack shallow_root(double shift, contact::SurfaceForm surface = contact::SurfaceForm::automatic) {
   contact::Case input = rollfem::testing::shallow_root(shift);
-  input.halfspace.surface = surface;
+  input.surface = surface;
   return solved(input, 24);
 }
 
@@ -249,7 +249,7 @@ TEST(JoinedPatches, ReferenceDoesNotChangeForcesWhereNormalsAreTrue) {
   // On the common surface with its own normals the reference is a matter of description: forces on
   // the track are the same 1 mm beside it, where plane and spin are others.
   contact::Case input = hollow_tread(-0.6);
-  input.halfspace.surface = contact::SurfaceForm::curved;
+  input.surface = contact::SurfaceForm::curved;
   const auto with_reference = [&](double offset) {
     track::SearchOptions options;
     options.reference_offset = offset;
@@ -298,7 +298,7 @@ TEST(ContactsOfOtherPlanes, AreTheJointSolutionInNearlyOnePlane) {
   const OnTrack two_grids = on_24_across(track::balanced_position(input, two));
   EXPECT_EQ(two_grids.contacts, 2U);
   EXPECT_NEAR(two_grids.force[2], 80e3, 1e-6 * 80e3);
-  input.halfspace.surface = contact::SurfaceForm::curved;
+  input.surface = contact::SurfaceForm::curved;
   const auto joint = track::make_scenes(input);
   ASSERT_EQ(joint.size(), 1U);
   const OnTrack one_grid = on_24_across({joint[0].scene});

@@ -24,7 +24,7 @@ contact::Case right_wheel(double shift, contact::SurfaceForm surface) {
   input.rail.profile.name = "UIC60-manchester";
   input.wheelset.side = contact::WheelSide::right;
   input.friction_coefficient = 0.0;
-  input.halfspace.surface = surface;
+  input.surface = surface;
   input.contact_grid.cell_size = {cell, cell};
   return input;
 }

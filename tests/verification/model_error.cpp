@@ -38,7 +38,7 @@ ModelErrors errors_of(const Case& input, int across) {
 
 /// Slip of the strained surfaces at rest, weighted with the pressure.
 double mean_slip(Case input, int across) {
-  input.fem.extent = contact::infinity;  // by hand bodies have no end
+  input.body_extent = contact::infinity;  // by hand bodies have no end
   const Scene scene(input);
   const LevelResult half = half_space(scene, across);
   const contact::ContactGrid& grid = half.grid;
@@ -130,7 +130,7 @@ TEST(ModelError, BodiesMustBeKnown) {
   const LevelResult half = half_space(scene, 10);
   scene.geometry.quadratic = std::array<double, 2>{1e-3, 1e-3};
   EXPECT_THROW(halfspace::model_errors(scene, half, {}), contact::InputError);
-  scene.options.halfspace.model_error = true;
+  scene.options.set<halfspace::HalfspaceOptions>().model_error = true;
   EXPECT_THROW(half_space_models().run("halfspace", scene, {}), contact::InputError);
 }
 
@@ -140,7 +140,7 @@ TEST(ModelError, IsInResultsWhereAskedFor) {
   input.contact_grid.elements_across = 12;
   const auto without = half_space_models().run("halfspace", input, {});
   EXPECT_TRUE(without.points.front().model_error.empty());
-  input.halfspace.model_error = true;
+  input.options.set<halfspace::HalfspaceOptions>().model_error = true;
   const auto with = half_space_models().run("halfspace", input, {});
   const auto& point = with.points.front();
   EXPECT_EQ(point.max_pressure, without.points.front().max_pressure);

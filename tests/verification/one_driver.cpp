@@ -216,7 +216,7 @@ TEST(OneDriverOf, ACurvedSurfaceCarriesTheLoadWithFriction) {
   Case input = thesis_case('b', 16);
   input.rail.transverse_radius = 50.0;
   input.wheel.transverse_radius = -51.282;
-  input.halfspace.surface = contact::SurfaceForm::curved;
+  input.surface = contact::SurfaceForm::curved;
   input.rolling.creepages = {{1e-3, 2e-3, 0.0}, {}};
   input.rolling.forces = {{}, {-8e3, -8e3}};
   expect_disguised_alike(input);

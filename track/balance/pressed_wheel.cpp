@@ -33,7 +33,6 @@ Case frictionless(Case input) {
   input.subsurface.clear();
   input.output.stress_maxima = false;
   input.accuracy.reset();
-  input.halfspace.model_error = false;
   return input;
 }
 

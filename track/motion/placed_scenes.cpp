@@ -72,7 +72,7 @@ PlacedScene make_scene(const Case& input, WheelRailContact contact) {
                              [patch, place = placed.contact.place](double y) {
                                return contact::rail_inclination(*patch, place, y);
                              });
-  if (input.halfspace.surface == contact::SurfaceForm::automatic)
+  if (input.surface == contact::SurfaceForm::automatic)
     placed.scene.follows_surface = follows_surface(placed);
   for (std::size_t k = 0; k < placed.scene.points.size(); ++k) {
     const bool by_step =

@@ -211,7 +211,7 @@ WheelOnRail WheelRailPair::solve(const WheelState& state) const {
 WheelOnRail WheelRailPair::solve(Workspace& workspace, const WheelState& state) const {
   set(state, workspace.input);
   workspace.solved = nullptr;
-  contact::SurfaceForm& surface = workspace.input.halfspace.surface;
+  contact::SurfaceForm& surface = workspace.input.surface;
   for (auto form = std::begin(surfaces); !tables_.empty() && form != std::end(surfaces); ++form) {
     surface = *form;
     WheelOnRail wheel{};
@@ -263,7 +263,7 @@ QuickOutcome WheelRailPair::solve_quickly(Workspace& workspace, const WheelState
                      contact.reserve};
     one.geometry.surface = contact::ContactSurface::of(
         std::make_shared<const contact::PatchGeometry>(std::move(contact.geometry)));
-    if (input.halfspace.surface == contact::SurfaceForm::automatic)
+    if (input.surface == contact::SurfaceForm::automatic)
       one.geometry.surface.follows = follows_surface(contact.spread_of_normals);
     contacts.push_back(std::move(one));
   }

@@ -237,7 +237,7 @@ class WheelSearch {
         modulus_(contact::combine(input.wheel.material, input.rail.material).contact_modulus) {}
 
   std::vector<WheelRailContact> contacts(const SearchOptions& options) const {
-    const bool curved = input_.halfspace.surface == contact::SurfaceForm::curved;
+    const bool curved = input_.surface == contact::SurfaceForm::curved;
     const double angle = options.merge_angle.value_or(curved ? angle_on_surface : angle_on_plane);
     const auto [groups, sinking, humps] =
         group_minima(gap_, angle, [&](const std::vector<Stretch>& stretches) {

@@ -33,8 +33,8 @@ using Result = result::RunRecord;
 using Missing = result::MissingModel;
 
 /// Reads a case file. Throws InputError with FILE:LINE:COLUMN, key, value, allowed values and
-/// advice.
-Case read_case(const std::string& file);
+/// advice. `changes`: of single keys, as for `--set`: "fem.cell_size=0.5".
+Case read_case(const std::string& file, const std::vector<std::string>& changes = {});
 
 /// Parses a case from text. `name` represents the file in messages; paths in the case are relative
 /// to its folder.

@@ -121,7 +121,7 @@ TEST(CInterface, TheLargestPressureIsWithinItsBar) {
 
 TEST(CInterface, ContactsThatMeetAreOneOnACurvedSurface) {
   rollfem::contact::Case input = case_at(6.6, 0.005);
-  input.halfspace.surface = rollfem::contact::SurfaceForm::curved;
+  input.surface = rollfem::contact::SurfaceForm::curved;
   const rollfem_result quick = solve(make(defaults(ROLLFEM_RIGHT)), state_at(6.6, 0.005));
   EXPECT_NEAR(quick.force[2], -50e3, 5.0);
   EXPECT_LT(difference(quick, input), 0.02);

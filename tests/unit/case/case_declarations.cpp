@@ -7,6 +7,7 @@
 #include "case/reading/case_reader.hpp"
 #include "case/reading/toml_reader.hpp"
 
+#include "support/model_keys.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {
@@ -139,11 +140,17 @@ TEST(CaseDeclarations, ReferenceHasUnitsAndRowsOfBothBodiesOnce) {
            "As in [wheel]: `round_to`, `young_modulus`, `poisson_ratio`, `density`, `mesh`."));
 }
 
+enum class ToyKind { gmsh, box };
+struct ToyOptions {
+  std::optional<double> stiffness;
+  std::optional<ToyKind> kind;
+};
+
 TEST(CaseDeclarations, PartsEndUpInTheKey) {
-  Keys<FemOptions> keys("toy", "A section of this test", &Case::fem);
-  keys.add("stiffness", &FemOptions::extent, symbol("k"), unit("N/mm"),
+  Keys<ToyOptions> keys("toy", "A section of this test");
+  keys.add("stiffness", &ToyOptions::stiffness, symbol("k"), unit("N/mm"),
            upper_open(between(1.0, 5.0)), otherwise("none"), "How stiff it is.");
-  keys.add("kind", &FemOptions::mesh, {{"gmsh", MeshFamily::gmsh}, {"box", MeshFamily::structured}},
+  keys.add("kind", &ToyOptions::kind, {{"box", ToyKind::box}, {"gmsh", ToyKind::gmsh}},
            Required{"\"gmsh\""});
   const SectionWithKeys declared = keys;
   ASSERT_EQ(declared.keys.size(), 2u);
@@ -153,13 +160,13 @@ TEST(CaseDeclarations, PartsEndUpInTheKey) {
   Case input;
   EXPECT_EQ(stiffness.get(input), KeyValue());
   stiffness.set(input, 2.0);
-  EXPECT_EQ(input.fem.extent, 2.0);
+  EXPECT_EQ(input.options.of<ToyOptions>().stiffness, 2.0);
   const Key& kind = declared.keys[1];
   EXPECT_TRUE(kind.required);
-  EXPECT_EQ(allowed_values(kind), "one of gmsh, box");
+  EXPECT_EQ(allowed_values(kind), "one of box, gmsh");
   // The order of the words is not that of the enumerators.
   kind.set(input, std::string("gmsh"));
-  EXPECT_EQ(input.fem.mesh, MeshFamily::gmsh);
+  EXPECT_EQ(input.options.of<ToyOptions>().kind, ToyKind::gmsh);
   EXPECT_EQ(kind.get(input), KeyValue(std::string("gmsh")));
 }
 

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Case files of bodies that yield: what they become.
 #include "case/reading/case_reader.hpp"
+#include "fem/fem_options.hpp"
 #include "scene/scene.hpp"
 
 #include "support/case_examples.hpp"
+#include "support/model_keys.hpp"
 
 namespace {
+
+const fem::FemOptions& options_of(const Case& input) {
+  return input.options.of<fem::FemOptions>();
+}
 
 /// A case of three creepages whose rail yields, four passes.
 std::string yielding(const std::string& more) {
@@ -81,20 +87,19 @@ TEST(PlasticityKeys, ReadResidualStressFromAFileAsFromLists) {
 
 TEST(PlasticityKeys, CountTheLoadPointsOfACycle) {
   const Case alternating = parse_case(yielding("yield_stress = 520.0\n"), "case.toml");
-  EXPECT_EQ(alternating.fem.cycle, 3);
-  EXPECT_EQ(
-      parse_case(plus("[fem]\npasses = 4\n[rail_plasticity]\nyield_stress = 520.0\n"), "case.toml")
-          .fem.cycle,
-      1);
+  EXPECT_EQ(options_of(alternating).cycle, 3);
+  const Case one =
+      parse_case(plus("[fem]\npasses = 4\n[rail_plasticity]\nyield_stress = 520.0\n"), "case.toml");
+  EXPECT_EQ(options_of(one).cycle, 1);
 }
 
 TEST(PlasticityKeys, NoLoadPointIsLeftOut) {
   const std::string steel = "[rail_plasticity]\nyield_stress = 520.0\n";
   const std::string cycle = "[rolling]\nlongitudinal_creepage = [0.03, -0.03, 0.01]\n";
   const Case once = parse_case(plus(cycle + steel), "case.toml");
-  EXPECT_EQ(once.fem.passes, 3);
+  EXPECT_EQ(options_of(once).passes, 3);
   EXPECT_EQ(contact::Scene(once).points.size(), 3U);
-  EXPECT_EQ(parse_case(plus(steel), "case.toml").fem.passes, 1);
+  EXPECT_EQ(options_of(parse_case(plus(steel), "case.toml")).passes, 1);
   const Case by_force =
       parse_case(plus("[rolling]\nlongitudinal_force = [-1e3, -2e3]\n" + steel), "case.toml");
   EXPECT_EQ(contact::Scene(by_force).points.size(), 2U);

@@ -2,7 +2,9 @@
 #include "hybrid/correction_scene.hpp"
 
 #include "case/reading/case_reader.hpp"
+#include "fem/fem_options.hpp"
 
+#include "support/model_keys.hpp"
 #include "support/places.hpp"
 #include "support/test.hpp"
 
@@ -65,9 +67,10 @@ TEST(CorrectionScene, KeyIsOfTheBodies) {
   EXPECT_TRUE(differs([](contact::Case& c) { c.wheel.round_to = 0.8; }));
   EXPECT_TRUE(differs([](contact::Case& c) { c.rail.material.poisson_ratio = 0.29; }));
   EXPECT_TRUE(differs([](contact::Case& c) { c.wheel.material.young_modulus = 209e3; }));
-  EXPECT_TRUE(differs([](contact::Case& c) { c.fem.extent = 50.0; }));
-  EXPECT_TRUE(differs([](contact::Case& c) { c.fem.degree = 1; }));
-  EXPECT_TRUE(differs([](contact::Case& c) { c.fem.mesh = contact::MeshFamily::gmsh; }));
+  EXPECT_TRUE(differs([](contact::Case& c) { c.body_extent = 50.0; }));
+  EXPECT_TRUE(differs([](contact::Case& c) { c.options.set<fem::FemOptions>().degree = 1; }));
+  EXPECT_TRUE(differs(
+      [](contact::Case& c) { c.options.set<fem::FemOptions>().mesh = fem::MeshFamily::gmsh; }));
   EXPECT_TRUE(differs([](contact::Case& c) { c.rail.mesh = "rail.msh"; }));
   EXPECT_TRUE(differs([](contact::Case& c) { c.load.normal_force = 100e3; }));
 }

@@ -5,6 +5,7 @@
 #include "case/reading/case_reader.hpp"
 
 #include "support/case_examples.hpp"
+#include "support/model_keys.hpp"
 #include "support/places.hpp"
 
 TEST(CombinedConstants, OfLikeMaterialsAreThoseOfTheMaterial) {

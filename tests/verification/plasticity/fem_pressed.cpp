@@ -47,7 +47,7 @@ Case ball_on_flat(const std::vector<double>& forces) {
   input.rail.rolling_radius = input.rail.transverse_radius = contact::infinity;
   input.friction_coefficient = 0.0;
   input.rail.plasticity = steel();
-  input.fem.extent.reset();
+  input.options.set<fem::FemOptions>().extent.reset();
   press_with(input, forces);
   return input;
 }

@@ -23,7 +23,7 @@ Case rolling_case(double friction, double creepage) {
   input.rail.plasticity.emplace();
   input.rail.plasticity->yield_stress = 420.0;
   input.rail.plasticity->back_stresses[0].modulus = 3e3;
-  input.fem.extent = 32.0;
+  input.body_extent = 32.0;
   return input;
 }
 

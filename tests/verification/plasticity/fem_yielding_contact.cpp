@@ -18,8 +18,8 @@ Case equal_discs(double pressure, int passes) {
   Case input = equal_balls(200.0, pressure, 0.0);
   input.rolling.problem = contact::Problem::frictionless;
   input.rolling.creepages.resize(passes);
-  input.fem.passes = passes;
-  input.fem.extent = 8.0;
+  input.options.set<fem::FemOptions>().passes = passes;
+  input.body_extent = 8.0;
   return input;
 }
 
@@ -53,7 +53,7 @@ TEST(FemYieldingContact, OfStrongSteelIsElasticToTheLastDigit) {
   Case input = equal_discs(pressure, 1);
   input.rail.plasticity = steel(1e6, 0.0);
   const PointResult yielding = solved(input, cell).points.front();
-  input.fem.pass_pressure = contact::PassPressure::elastic;
+  input.options.set<fem::FemOptions>().pass_pressure = fem::PassPressure::elastic;
   const PointResult elastic = solved(input, cell).points.front();
   EXPECT_EQ(yielding.max_pressure, elastic.max_pressure);
   EXPECT_EQ(yielding.approach, elastic.approach);
@@ -69,8 +69,8 @@ TEST(FemYieldingContact, OfStrongSteelIsElasticToTheLastDigit) {
 TEST(FemYieldingContact, GrowsWhereSteelYieldsAtTheBorderOfTheStreamlines) {
   Case input = equal_discs(pressure, 1);
   input.rail.plasticity = steel(520.0, 20e3);
-  input.fem.cell_size = cell;
-  input.fem.plastic_extent = 0.5;
+  input.options.set<fem::FemOptions>().cell_size = cell;
+  input.options.set<fem::FemOptions>().plastic_extent = 0.5;
   int times = 0;
   const ModelResult grown = fem::run_fem(
       input,
@@ -80,7 +80,7 @@ TEST(FemYieldingContact, GrowsWhereSteelYieldsAtTheBorderOfTheStreamlines) {
       nullptr);
   EXPECT_GT(times, 0);
   EXPECT_NE(grown.note_about("plastic_extent"), nullptr);
-  input.fem.plastic_extent = 0.5 * std::pow(1.3, times);
+  input.options.set<fem::FemOptions>().plastic_extent = 0.5 * std::pow(1.3, times);
   const PointResult at_once = fem::run_fem(input, {}, nullptr).points.front();
   EXPECT_EQ(grown.points.front().max_pressure, at_once.max_pressure);
   EXPECT_EQ(grown.points.front().plastic_strain.value(), at_once.plastic_strain.value());
@@ -88,7 +88,7 @@ TEST(FemYieldingContact, GrowsWhereSteelYieldsAtTheBorderOfTheStreamlines) {
 
 TEST(FemYieldingContact, CellsThatGiveTooFewElementsAreRefusedBeforeTheBodiesAreMeshed) {
   Case input = equal_discs(pressure, 1);
-  input.fem.cell_size = 2.2;
+  input.options.set<fem::FemOptions>().cell_size = 2.2;
   int events = 0;
   const auto count = [&](const contact::ProgressEvent&) { ++events; };
   EXPECT_THROW(fem::run_fem(input, count, nullptr), contact::UnfitGrid);

@@ -226,7 +226,7 @@ TEST(TrueSections, HaveTheSizesOfRailAndRim) {
 
 TEST(TrueSections, MeshedHaveTheVolumeOfTheOutlineAndLieOnTheSurface) {
   contact::Scene scene = left_wheel_scene();
-  scene.options.fem.mesh = contact::MeshFamily::gmsh;
+  scene.options.set<fem::FemOptions>().mesh = fem::MeshFamily::gmsh;
   const fem::RunLayout layout = fem::run_layout(scene, 2.0);
   const fem::CaseBodies bodies = fem::make_bodies(scene, layout.bodies, MPI_COMM_WORLD);
   expect_on_surface(*bodies.wheel, *scene.geometry.surface.profiles);
@@ -241,7 +241,7 @@ TEST(TrueSections, MeshedHaveTheVolumeOfTheOutlineAndLieOnTheSurface) {
 
 TEST(TrueSections, AreMeshedAtTheRootOfTheFlange) {
   contact::Scene scene = flange_scene();
-  scene.options.fem.mesh = contact::MeshFamily::gmsh;
+  scene.options.set<fem::FemOptions>().mesh = fem::MeshFamily::gmsh;
   EXPECT_GT(std::abs(scene.geometry.surface.profiles->tilt()), 0.5);
   const fem::RunLayout layout = fem::run_layout(scene, 2.0 * fem::default_cell_size(scene));
   const fem::CaseBodies bodies = fem::make_bodies(scene, layout.bodies, MPI_COMM_WORLD);
@@ -254,8 +254,8 @@ TEST(TrueSections, AreMeshedAtTheRootOfTheFlange) {
 
 TEST(TrueSections, RefuseThePointLoadOfAHalfSpace) {
   contact::Scene scene = left_wheel_scene();
-  scene.options.fem.mesh = contact::MeshFamily::gmsh;
-  scene.options.fem.far_boundary = contact::FarBoundary::point_load;
+  scene.options.set<fem::FemOptions>().mesh = fem::MeshFamily::gmsh;
+  scene.options.set<fem::FemOptions>().far_boundary = fem::FarBoundary::point_load;
   EXPECT_THROW(fem::make_bodies(scene, fem::run_layout(scene, 2.0).bodies, MPI_COMM_WORLD),
                contact::InputError);
 }

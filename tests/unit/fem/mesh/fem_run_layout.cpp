@@ -3,6 +3,7 @@
 #include "case/reading/case_reader.hpp"
 #include "fem/mesh/run_layout.hpp"
 
+#include "support/model_keys.hpp"
 #include "support/test.hpp"
 
 namespace {

@@ -7,6 +7,7 @@
 #include "scene/geometry.hpp"
 
 #include "support/fem_body_pair.hpp"
+#include "support/model_keys.hpp"
 #include "support/places.hpp"
 
 namespace {
@@ -218,9 +219,9 @@ TEST(ApproachLeftOut, CoversTheChangesBetweenExtents) {
     contact::Case input =
         contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_" + row.name + ".toml");
     const double extent = row.semi_axes * 10.873;
-    input.fem.far_boundary = fem::FarBoundary::clamped;
+    input.options.set<fem::FemOptions>().far_boundary = fem::FarBoundary::clamped;
     const double clamped = fem::approach_left_out(input, 50e3, extent);
-    input.fem.far_boundary = fem::FarBoundary::point_load;
+    input.options.set<fem::FemOptions>().far_boundary = fem::FarBoundary::point_load;
     const double moving = fem::approach_left_out(input, 50e3, extent);
     EXPECT_GT(moving, row.change) << row.name;
     EXPECT_LT(moving, 0.25 * clamped) << row.name;

@@ -62,14 +62,14 @@ TEST(Scenes, FollowTheSurfaceAsFarAsTheirNormalsSpread) {
   };
   contact::Case root = shallow_root(-13.88);  // normals 0.35 rad apart
   EXPECT_EQ(followed(root), 1.0);
-  root.halfspace.surface = contact::SurfaceForm::planar;
+  root.surface = contact::SurfaceForm::planar;
   EXPECT_EQ(followed(root), 0.0);
-  root.halfspace.surface = contact::SurfaceForm::automatic;
+  root.surface = contact::SurfaceForm::automatic;
   root.output.stress_maxima = true;
   EXPECT_EQ(followed(root), 0.0);
   contact::Case one_rim = hollow_tread(1.2);
   EXPECT_EQ(followed(one_rim), 0.0);
-  one_rim.halfspace.surface = contact::SurfaceForm::curved;
+  one_rim.surface = contact::SurfaceForm::curved;
   EXPECT_EQ(followed(one_rim), 1.0);
   // Rims of 0.1 rad, the more evenly loaded the farther.
   const double uneven = followed(hollow_tread(-0.4));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "halfspace/patch/true_sections.hpp"
+#include "halfspace/patch/profile_reach.hpp"
 
 #include "halfspace/patch/patch_search.hpp"
 
@@ -12,10 +12,6 @@ namespace {
 constexpr double steepest_of_box = 1.5;  // dz/dy
 
 }  // namespace
-
-bool has_true_sections(const contact::Scene& scene) {
-  return scene.has_profiles() && scene.options.fem.mesh == contact::MeshFamily::gmsh;
-}
 
 double gentle_reach(const contact::Scene& scene, double middle) {
   double reach = contact::infinity;

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Kind of mesh of wheel and rail with true profiles, and extent of their gentle part beside the
-// patch: needed by other modules before finite elements are chosen.
+// Extent of the gentle part of true profiles beside the patch: needed by other modules before
+// finite elements are chosen.
 #pragma once
 
 #include "scene/scene.hpp"
 
 namespace rollfem::halfspace {
-
-/// Whether the scene has a patch of true profiles and its bodies are the true sections of wheel and
-/// rail according to [fem] mesh, not boxes under the surface.
-bool has_true_sections(const contact::Scene& scene);
 
 /// Least extent of a box to each side, in larger half sizes of the patch, regardless of the
 /// steepness of the profile.
