@@ -45,10 +45,13 @@ def outward(first, fine, extent, growth=1.3):
 class Block:
     """Nodes of 8-node quadrilaterals on a lattice of half cells; x from the middle, z = -depth."""
 
-    def __init__(self, cell, travel, extent):
+    def __init__(self, cell, travel, extent, rows=()):
+        """`rows`: heights of thinner rows at the surface."""
         half = outward(cell, travel + 1.5, extent)
         self.x = np.concatenate([-half[:0:-1], half])
-        self.depth = outward(cell, 2.0, extent)
+        below = np.cumsum([0.0, *rows])
+        self.depth = np.concatenate([below, below[-1] + outward(cell, 2.0 - below[-1], extent - below[-1])[1:]])
+        self.fine = len(rows) + round((2.0 - below[-1]) / cell)
         self.cell = cell
 
     def number(self, i, k):
@@ -80,7 +83,7 @@ class Block:
     def middle(self):
         """Elements of the column right of the middle, fine ones only, from the surface down."""
         column = len(self.x) // 2
-        return [1 + column + (len(self.x) - 1) * k for k in range(round(2.0 / self.cell))]
+        return [1 + column + (len(self.x) - 1) * k for k in range(self.fine)]
 
     def forces(self, centre, p0, friction):
         """{node on the surface: (force along, force upwards)}: means over elements, consistent with their shape."""
@@ -146,7 +149,7 @@ def rows(block, args, blocks):
                     for values in (stress, strain))
             # CalculiX: x along, y up, z across; order xx yy zz xy xz yz.
             plastic = STIFFER * e[3] - s[3] / (2 * shear)
-            yield number + 1, (k + 0.5) * block.cell, plastic, s[0] / p0, s[2] / p0
+            yield number + 1, 0.5 * (block.depth[k] + block.depth[k + 1]), plastic, s[0] / p0, s[2] / p0
 
 
 def main():
@@ -155,9 +158,10 @@ def main():
         parser.add_argument(f"--{name}", type=float, default=value)
     parser.add_argument("--passes", type=int, default=1)
     parser.add_argument("--cells", type=int, default=8, help="per half-width")
+    parser.add_argument("--rows", type=float, nargs="*", default=[], help="heights of rows at the surface, half-widths")
     parser.add_argument("--folder", help="keeps the deck and the output")
     args = parser.parse_args()
-    block = Block(1.0 / args.cells, args.travel, args.extent)
+    block = Block(1.0 / args.cells, args.travel, args.extent, args.rows)
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(args.folder or temporary)
         (folder / "line.inp").write_text("\n".join(deck(block, args)) + "\n", encoding="utf-8")
