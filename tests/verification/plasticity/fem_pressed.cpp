@@ -89,7 +89,7 @@ TEST(PlasticPressing, ABallYieldsFirstAtItsElasticLimit) {
 // ball.
 TEST(PlasticPressing, TheMeanPressureRisesToThreeYieldStresses) {
   std::vector<double> forces;
-  for (const double size : {1.6, 3.0, 6.0, 12.0, 24.0, 40.0}) {
+  for (const double size : {3.0, 10.0, 25.0}) {
     const double patch = size * yield_stress * radius / contact_modulus;
     forces.push_back((size < 4.0    ? 1.3
                       : size < 10.0 ? 1.9
@@ -98,7 +98,7 @@ TEST(PlasticPressing, TheMeanPressureRisesToThreeYieldStresses) {
   }
   double before = 0.0;
   const auto points =
-      solved(ball_on_flat(forces), 0.25 * 40.0 * yield_stress * radius / contact_modulus);
+      solved(ball_on_flat(forces), 0.3 * 25.0 * yield_stress * radius / contact_modulus);
   for (const PointResult& point : points) {
     const double size = contact_modulus * point.semi_axis_x / (yield_stress * radius);
     const double mean = mean_pressure(point) / yield_stress;
@@ -178,7 +178,7 @@ TEST(PlasticPressing, ATangentialForceAddsPlasticStrain) {
 namespace {
 
 /// In memory.
-struct Kept : contact::Checkpoint {
+struct InMemory : contact::Checkpoint {
   std::map<std::string, std::string> records;
   std::optional<std::string> find(const std::string& name) override {
     const auto found = records.find(name);
@@ -191,7 +191,7 @@ struct Kept : contact::Checkpoint {
 
 TEST(PlasticPressing, ARunThatIsResumedGivesTheSameToTheLastBit) {
   Case input = ball_on_flat({400.0, 200.0, 600.0});
-  Kept kept;
+  InMemory kept;
   const fem::LevelOptions options{0.25, "", false, &kept};
   const PointResult whole = fem::run_level(input, options, {}).points.back();
   kept.records.erase("fem-0.25mm-0003");
