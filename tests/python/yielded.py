@@ -165,5 +165,45 @@ class Yielded(unittest.TestCase):
         self.assertFalse(list((self.path / "elastic/figures").glob("yielded*")))
 
 
+class Pressed(unittest.TestCase):
+    """The same bodies, pressed and left without load."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = pathlib.Path(cls.folder.name)
+        case = CASE.replace("normal_force = 100e3\n", "").replace("longitudinal_creepage = [0.03, 0.001]", 'problem = "shift"\n'
+                            "[history]\nnormal_force = [100e3, 0.0]").replace("passes = 3\n", "")
+        (cls.path / "case.toml").write_text(case, encoding="utf-8")
+        (cls.path / "measured.csv").write_text("0, -50, -20\n10, 0, 0\n", encoding="utf-8")
+        run("run", cls.path / "case.toml", "-o", cls.path / "run", "-q")
+        cls.points = rollfem.read(cls.path / "run").models[0].points
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_steps_have_imprint_and_residual_stress_but_nothing_of_what_rolls(self):
+        pressed, left = self.points
+        self.assertEqual((pressed.by_number, left.step, left.max_pressure), ("load point", 2, 0.0))
+        for body in ("wheel", "rail"):
+            self.assertEqual([p.yielded[body]["verdict"] for p in self.points], ["yields", "nothing new yields"])
+            self.assertEqual(pressed.yielded[body]["forward_flow"].size, 0)
+            self.assertLess(left.yielded[body]["groove"].min(), 0)
+        self.assertEqual(left.groove_depth, max(-body["groove"].min() for body in left.yielded.values()))
+        self.assertLess(left.approach, pressed.approach)
+        for name in ("forward_flow", "plastic_work", "net_plastic_increment"):
+            self.assertIsNone(getattr(left, name))
+
+    def test_the_report_speaks_of_steps(self):
+        figures = {path.stem for path in (self.path / "run/figures").glob("yielded*.svg")}
+        self.assertEqual(figures, {"yielded_passes", *(f"yielded_{what}_{body}" for body in ("wheel", "rail")
+                                                       for what in ("stress", "section", "groove"))})
+        page = (self.path / "run/report.html").read_text(encoding="utf-8")
+        for words in ("<th scope=col>step</th>", "rail: nothing new yields", "before the first step", "imprint"):
+            self.assertIn(words, page)
+        self.assertNotIn("Shakedown map with the passes", page)
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

@@ -60,6 +60,10 @@ const YieldedSection& rail_of(const PointResult& point) {
   return point.yielded.back();
 }
 
+/// A quarter of the patch of elastic bodies.
+const double cell_of_unloading =
+    std::cbrt(0.75 * 15.0 * force_of(1.6 * yield_stress) * radius / contact_modulus) / 4.0;
+
 double mean_pressure(const PointResult& point) {
   return point.normal_force / point.contact_area;
 }
@@ -84,27 +88,22 @@ TEST(PlasticPressing, ABallYieldsFirstAtItsElasticLimit) {
   EXPECT_FALSE(points[2].forward_flow || points[2].plastic_work || points[2].net_plastic_increment);
 }
 
-// From Hertz's 2/3 of 1.60 Y to 2.8 to 3 Y (Tabor 1951). Between them, for E* a / (Y R) from 6 on,
-// Johnson's spherical cavity: 2/3 (1 + ln(E* a / (3 Y R))) Y in the core, some 2/3 Y more below the
-// ball.
+// From Hertz's 2/3 of 1.60 Y to 2.8 to 3 Y (Tabor 1951); from E* a / (Y R) = 6 on Johnson's
+// spherical cavity (1985, section 6.3): 2/3 (1 + ln(E* a / (3 Y R))) Y in the core, and up to 2/3 Y
+// more below the ball.
 TEST(PlasticPressing, TheMeanPressureRisesToThreeYieldStresses) {
+  constexpr double unit = yield_stress * radius / contact_modulus;  // a for E* a / (Y R) = 1, mm
   std::vector<double> forces;
-  for (const double size : {3.0, 10.0, 25.0}) {
-    const double patch = size * yield_stress * radius / contact_modulus;
-    forces.push_back((size < 4.0    ? 1.3
-                      : size < 10.0 ? 1.9
-                                    : 2.6) *
-                     yield_stress * contact::pi * patch * patch);
-  }
+  for (const auto& [size, mean] : {std::pair{3.0, 1.4}, {10.0, 2.1}, {25.0, 2.7}})
+    forces.push_back(mean * yield_stress * contact::pi * std::pow(size * unit, 2));
   double before = 0.0;
-  const auto points =
-      solved(ball_on_flat(forces), 0.3 * 25.0 * yield_stress * radius / contact_modulus);
-  for (const PointResult& point : points) {
-    const double size = contact_modulus * point.semi_axis_x / (yield_stress * radius);
+  for (const PointResult& point : solved(ball_on_flat(forces), 0.3 * 25.0 * unit)) {
+    const double size = std::sqrt(point.contact_area / contact::pi) / unit;
     const double mean = mean_pressure(point) / yield_stress;
-    std::printf("%g %g core %g p0 %g strain %g iterations %d\n", size, mean,
-                2.0 / 3.0 * (1.0 + std::log(size / 3.0)), point.max_pressure / yield_stress,
-                *point.plastic_strain, rail_of(point).iterations);
+    const double core = 2.0 / 3.0 * (1.0 + std::log(size / 3.0));
+    std::printf("%g %g core %g p0 %g strain %g iterations %d\n", size, mean, core,
+                point.max_pressure / yield_stress, *point.plastic_strain,
+                rail_of(point).iterations);
     EXPECT_GT(mean, before);
     before = mean;
   }
@@ -112,36 +111,55 @@ TEST(PlasticPressing, TheMeanPressureRisesToThreeYieldStresses) {
 
 namespace {
 
-/// To four times the load at first yield in three steps, off and on again.
+/// Up to fifteen times the load of first yield in three steps, off and on again.
 const std::vector<PointResult>& up_down_and_up() {
   static const std::vector<PointResult> points = [] {
     const double most = 15.0 * force_of(1.6 * yield_stress);
-    const double cell = std::cbrt(0.75 * most * radius / contact_modulus) / 4.0;
     return solved(ball_on_flat({0.25 * most, 0.5 * most, most, 0.95 * most, 0.5 * most, 0.0, most}),
-                  cell);
+                  cell_of_unloading);
   }();
   return points;
 }
 
+/// Displacement, mm, that a pressure on elements causes at the origin of an elastic half-space, a
+/// corner of four of them: integral p / (pi E* r).
+double sinking_of(const contact::Field& pressure, double cell) {
+  const int across = static_cast<int>(std::lround(std::sqrt(pressure.size())));
+  double sum = 0.0;
+  for (int j = 0; j < across; ++j)
+    for (int i = 0; i < across; ++i) {
+      const double r = std::hypot(i + 0.5 - 0.5 * across, j + 0.5 - 0.5 * across);
+      sum += pressure[j * across + i] * (r < 1.0 ? 2.0 * std::asinh(1.0) : 1.0 / r);
+    }
+  return sum * cell / (contact::pi * contact_modulus);
+}
+
 }  // namespace
 
-// The slope at which the force falls is that of an elastic body under a flat punch as wide as the
-// patch, 2 E* a (Sneddon 1965), and what springs back that of Hertz's ball in the imprint, 3 F / (4
-// E* a) (Johnson 1985, section 6.4).
+// The slope at which the force falls is that of a flat punch as wide as the patch, 2 E* a (Sneddon
+// 1965); what springs back is what the pressure presses down in an elastic half-space (for Hertz's
+// pressure 3 F / (4 E* a): Johnson 1985, section 6.4).
 TEST(PlasticPressing, UnloadingIsElasticAndSoIsTheSameLoadAgain) {
   const auto& points = up_down_and_up();
   const PointResult &most = points[2], &less = points[3], &none = points[5], &again = points[6];
   const double a = std::sqrt(most.contact_area / contact::pi);
-  std::printf("slope %g back %g p0 %g again %g %g groove %g appr %g %g\n",
-              (most.normal_force - less.normal_force) / (most.approach - less.approach) /
-                  (2.0 * contact_modulus * a),
-              (most.approach - none.approach) / (0.75 * most.normal_force / (contact_modulus * a)),
-              most.max_pressure / yield_stress, again.max_pressure / most.max_pressure,
-              again.approach / most.approach, *none.groove_depth, none.approach, most.approach);
-  for (const std::size_t k : {3, 4, 5, 6}) {
-    std::printf("%g %s\n", rail_of(points[k]).increment, word_of(rail_of(points[k]).verdict));
+  const double slope = (most.normal_force - less.normal_force) / (most.approach - less.approach);
+  EXPECT_NEAR(slope / (2.0 * contact_modulus * a), 1.0, 0.04);
+  EXPECT_NEAR(
+      (most.approach - none.approach) / sinking_of(most.fields.traction.n, cell_of_unloading), 1.0,
+      0.03);
+  std::printf(
+      "slope %g back %g hertz %g\n", slope / (2.0 * contact_modulus * a),
+      (most.approach - none.approach) / sinking_of(most.fields.traction.n, cell_of_unloading),
+      (most.approach - none.approach) / (0.75 * most.normal_force / (contact_modulus * a)));
+  for (std::size_t k = 3; k < points.size(); ++k) {
+    EXPECT_EQ(rail_of(points[k]).verdict, YieldVerdict::holds) << k;
+    EXPECT_NEAR(*points[k].groove_depth / *most.groove_depth, 1.0, 1e-4) << k;
   }
   EXPECT_EQ(none.max_pressure, 0.0);
+  EXPECT_NEAR(none.approach / *none.groove_depth, 1.0, 0.03);
+  EXPECT_NEAR(again.max_pressure / most.max_pressure, 1.0, 1e-3);
+  EXPECT_NEAR(again.approach / most.approach, 1.0, 1e-4);
 }
 
 TEST(PlasticPressing, EqualBodiesYieldEqually) {
