@@ -9,6 +9,7 @@
 // (error, bar).
 #include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
+#include "fem/fem_options.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/hybrid_model.hpp"

@@ -4,6 +4,7 @@
 #include "base/errors.hpp"
 #include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
+#include "fem/fem_options.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "result/validity.hpp"

@@ -3,6 +3,7 @@
 // once for all tests of a program.
 #pragma once
 
+#include "fem/fem_options.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/trace/fem_compliance.hpp"
 

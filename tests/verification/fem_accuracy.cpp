@@ -2,6 +2,7 @@
 // The requested accuracy, by finite elements on case a without friction: reached with an estimate
 // of the right size, or reported as missed.
 #include "fem/elasticity/fem_model.hpp"
+#include "fem/fem_options.hpp"
 #include "result/refinement.hpp"
 
 #include "support/committed_cases.hpp"

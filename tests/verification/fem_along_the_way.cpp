@@ -4,6 +4,7 @@
 // slowly.
 #include "contact/solve/model.hpp"
 #include "fem/elasticity/run_level.hpp"
+#include "fem/fem_options.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/hybrid_model.hpp"

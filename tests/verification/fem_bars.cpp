@@ -2,6 +2,7 @@
 // The error bars of finite elements on a random contact, which is none of the cases a to f, against
 // cells of half the size and their bars. benchmarks/fem_bars.cpp counts how often bars hold.
 #include "fem/elasticity/fem_model.hpp"
+#include "fem/fem_options.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include "support/bar_coverage.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A large flat body under a small loaded rectangle is a half-space: displacement differences
 // against the closed forms of Love and Cerruti behind halfspace::HalfspaceCompliance.
+#include "fem/fem_options.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/trace/fem_compliance.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"

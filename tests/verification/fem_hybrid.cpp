@@ -3,6 +3,7 @@
 // and the finite elements' pressure and forces where the surfaces are steep.
 #include "base/errors.hpp"
 #include "fem/elasticity/fem_model.hpp"
+#include "fem/fem_options.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/hybrid_compliance.hpp"

@@ -2,6 +2,7 @@
 // The same contact under different meshes: the program's two families, segments of two sizes, and
 // meshes of a user whose lines follow neither rolling nor the lateral direction.
 #include "fem/elasticity/run_level.hpp"
+#include "fem/fem_options.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/mesh_examples.hpp"

@@ -2,6 +2,7 @@
 // The model fem on patches of true profiles: circles given as profiles against radii, a sphere
 // about a tilted axle, S1002 on UIC60 against the half-space on the same grid.
 #include "fem/elasticity/run_level.hpp"
+#include "fem/fem_options.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "scene/contact_surface.hpp"

@@ -2,6 +2,7 @@
 // The model error of half-space theory without creepage: an elastic sphere on a flat rail of the
 // same material slips without being driven. Lur'e's series for the sphere and the half-space for
 // the rail (benchmarks/book/elastic_sphere.py) give the amount.
+#include "fem/fem_options.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/trace/fem_compliance.hpp"
 

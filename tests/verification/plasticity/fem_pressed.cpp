@@ -5,6 +5,7 @@
 #include "base/checkpoint.hpp"
 #include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
+#include "fem/fem_options.hpp"
 
 #include "support/equal_balls.hpp"
 
@@ -15,13 +16,13 @@ using contact::PointResult;
 using contact::YieldedSection;
 using contact::YieldVerdict;
 
-constexpr double radius = 100.0, yield_stress = 300.0;
+constexpr double ball_radius = 100.0, yield_stress = 300.0;
 /// Of a rigid ball on steel.
 constexpr double contact_modulus = 210e3 / (1.0 - 0.3 * 0.3);
 
 /// N, by Hertz.
 double force_of(double max_pressure) {
-  return std::pow(contact::pi * max_pressure, 3) * radius * radius /
+  return std::pow(contact::pi * max_pressure, 3) * ball_radius * ball_radius /
          (6.0 * contact_modulus * contact_modulus);
 }
 
@@ -42,17 +43,17 @@ void press_with(Case& input, const std::vector<double>& forces) {
 
 /// A rigid ball on flat steel, without friction.
 Case ball_on_flat(const std::vector<double>& forces) {
-  Case input = equal_balls(radius, 1000.0, 0.0);
+  Case input = equal_balls(ball_radius, 1000.0, 0.0);
   input.wheel.material.young_modulus = contact::infinity;
   input.rail.rolling_radius = input.rail.transverse_radius = contact::infinity;
   input.friction_coefficient = 0.0;
   input.rail.plasticity = steel();
-  input.options.set<fem::FemOptions>().extent.reset();
+  input.body_extent.reset();
   press_with(input, forces);
   return input;
 }
 
-std::vector<PointResult> solved(const Case& input, double cell) {
+std::vector<PointResult> steps_of(const Case& input, double cell) {
   return fem::run_level(input, {cell, "", false}, {}).points;
 }
 
@@ -62,7 +63,7 @@ const YieldedSection& rail_of(const PointResult& point) {
 
 /// A quarter of the patch of elastic bodies.
 const double cell_of_unloading =
-    std::cbrt(0.75 * 15.0 * force_of(1.6 * yield_stress) * radius / contact_modulus) / 4.0;
+    std::cbrt(0.75 * 15.0 * force_of(1.6 * yield_stress) * ball_radius / contact_modulus) / 4.0;
 
 double mean_pressure(const PointResult& point) {
   return point.normal_force / point.contact_area;
@@ -73,8 +74,8 @@ double mean_pressure(const PointResult& point) {
 // Johnson (1985), section 6.1: 1.60 Y for nu = 0.3; the largest von Mises stress is 0.620 p0.
 TEST(PlasticPressing, ABallYieldsFirstAtItsElasticLimit) {
   const double low = force_of(1.55 * yield_stress), high = force_of(1.75 * yield_stress);
-  const double cell = std::cbrt(0.75 * high * radius / contact_modulus) / 5.0;
-  const auto points = solved(ball_on_flat({low, high, low}), cell);
+  const double cell = std::cbrt(0.75 * high * ball_radius / contact_modulus) / 5.0;
+  const auto points = steps_of(ball_on_flat({low, high, low}), cell);
   EXPECT_EQ(rail_of(points[0]).verdict, YieldVerdict::elastic);
   EXPECT_NEAR(points[0].max_pressure / (rail_of(points[0]).utilisation * yield_stress), 1.613,
               0.025);
@@ -92,12 +93,13 @@ TEST(PlasticPressing, ABallYieldsFirstAtItsElasticLimit) {
 // spherical cavity (1985, section 6.3): 2/3 (1 + ln(E* a / (3 Y R))) Y in the core, and up to 2/3 Y
 // more below the ball.
 TEST(PlasticPressing, TheMeanPressureRisesToThreeYieldStresses) {
-  constexpr double unit = yield_stress * radius / contact_modulus;  // a for E* a / (Y R) = 1, mm
+  constexpr double unit =
+      yield_stress * ball_radius / contact_modulus;  // a for E* a / (Y R) = 1, mm
   std::vector<double> forces;
   for (const auto& [size, mean] : {std::pair{3.0, 1.4}, {10.0, 2.1}, {25.0, 2.7}})
     forces.push_back(mean * yield_stress * contact::pi * std::pow(size * unit, 2));
   double before = 0.0;
-  for (const PointResult& point : solved(ball_on_flat(forces), 0.3 * 25.0 * unit)) {
+  for (const PointResult& point : steps_of(ball_on_flat(forces), 0.3 * 25.0 * unit)) {
     const double size = std::sqrt(point.contact_area / contact::pi) / unit;
     const double mean = mean_pressure(point) / yield_stress;
     const double core = 2.0 / 3.0 * (1.0 + std::log(size / 3.0));
@@ -115,8 +117,9 @@ namespace {
 const std::vector<PointResult>& up_down_and_up() {
   static const std::vector<PointResult> points = [] {
     const double most = 15.0 * force_of(1.6 * yield_stress);
-    return solved(ball_on_flat({0.25 * most, 0.5 * most, most, 0.95 * most, 0.5 * most, 0.0, most}),
-                  cell_of_unloading);
+    return steps_of(
+        ball_on_flat({0.25 * most, 0.5 * most, most, 0.95 * most, 0.5 * most, 0.0, most}),
+        cell_of_unloading);
   }();
   return points;
 }
@@ -163,10 +166,10 @@ TEST(PlasticPressing, UnloadingIsElasticAndSoIsTheSameLoadAgain) {
 }
 
 TEST(PlasticPressing, EqualBodiesYieldEqually) {
-  Case input = equal_balls(radius, 1000.0, 0.0);
+  Case input = equal_balls(ball_radius, 1000.0, 0.0);
   input.wheel.plasticity = input.rail.plasticity = steel(20e3);
   press_with(input, {*input.load.normal_force, 0.0});
-  for (const PointResult& point : solved(input, 0.4)) {
+  for (const PointResult& point : steps_of(input, 0.4)) {
     ASSERT_EQ(point.yielded.size(), 2U);
     const YieldedSection &wheel = point.yielded[0], &rail = point.yielded[1];
     EXPECT_GT(wheel.plastic_strain, 1e-3);
@@ -178,7 +181,7 @@ TEST(PlasticPressing, EqualBodiesYieldEqually) {
 
 // Cattaneo's shift: tangential traction makes steel yield that bears the pressure alone without.
 TEST(PlasticPressing, ATangentialForceAddsPlasticStrain) {
-  Case input = equal_balls(radius, 1000.0, 0.0);
+  Case input = equal_balls(ball_radius, 1000.0, 0.0);
   input.friction_coefficient = 0.4;
   input.rail.plasticity = steel(20e3);
   const double force = *input.load.normal_force;
@@ -186,7 +189,7 @@ TEST(PlasticPressing, ATangentialForceAddsPlasticStrain) {
   input.rolling.forces.resize(3);
   for (std::size_t k = 0; k < 3; ++k)
     input.rolling.forces[k].longitudinal = std::array{0.0, 0.3 * force, -0.3 * force}[k];
-  const auto points = solved(input, 0.4);
+  const auto points = steps_of(input, 0.4);
   for (const PointResult& point : points)
     std::printf("%g %g %g %d\n", point.longitudinal_force / force, *point.plastic_increment,
                 point.max_pressure, point.iterations);

@@ -4,6 +4,7 @@
 #include "base/threads.hpp"
 #include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
+#include "fem/fem_options.hpp"
 
 #include "support/equal_balls.hpp"
 

@@ -2,6 +2,7 @@
 // Rows of cells that are thin at the surface, and meshes of them.
 #include "fem/discretisation/elastic_problem.hpp"
 #include "fem/mesh/body_mesh.hpp"
+#include "fem/trace/far_field.hpp"
 
 #include "support/fem_test_support.hpp"
 
@@ -50,7 +51,7 @@ TEST(GradedDepth, HangingNodesLieWhereTheLargerCellHasThem) {
       return dealii::Tensor<1, 3>({p[2] + 0.5 * p[0], p[1] - p[2], 2.0 * p[2]});
     });
     auto hanging = u;
-    make_constraints(body.dofs(), body.mapping(), {}).distribute(hanging);
+    fem::make_constraints(body.dofs(), body.mapping(), {}).distribute(hanging);
     hanging -= u;
     EXPECT_LT(hanging.linfty_norm(), 1e-12 * u.linfty_norm());
   }

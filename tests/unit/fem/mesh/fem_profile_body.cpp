@@ -3,6 +3,7 @@
 // the true surface, meshes at the root of the flange.
 #include "base/errors.hpp"
 #include "fem/discretisation/case_bodies.hpp"
+#include "fem/fem_options.hpp"
 #include "fem/linear/multigrid.hpp"
 #include "fem/mesh/coarse_mesh.hpp"
 #include "fem/mesh/run_layout.hpp"

@@ -26,7 +26,7 @@ std::vector<std::vector<YieldedSection>> judged(double friction, double back, in
   Passes forward(*slab, plain_steel(shear_yield, hardening), load * shear_yield, friction),
       backward(*slab, plain_steel(shear_yield, hardening), load * shear_yield, back);
   const auto fresh = [&](int cycle) {
-    return std::make_unique<fem::PassResults>(*slab->body, forward.law, slab->lines, cycle);
+    return std::make_unique<fem::PassResults>(*slab->body, forward.law, slab->lines, cycle, false);
   };
   std::vector<std::unique_ptr<fem::PassResults>> results;
   for (const int cycle : cycles) results.push_back(fresh(cycle));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Coupling and compliance: resultants, transpose consistency, symmetry, the mirrored half body.
 #include "base/errors.hpp"
+#include "fem/fem_options.hpp"
 #include "fem/trace/middle_displacement.hpp"
 #include "scene/geometry.hpp"
 

@@ -2,6 +2,7 @@
 // The far boundary that moves as a half-space under a point load: prescribed displacement, signs on
 // wheel and rail, linearity, symmetry, and that surface and body show the same displacement.
 #include "case/reading/case_reader.hpp"
+#include "fem/fem_options.hpp"
 #include "fem/trace/far_field.hpp"
 #include "halfspace/closed_forms/point_loads.hpp"
 #include "scene/geometry.hpp"

@@ -2,6 +2,7 @@
 // Missing compliance of a lattice of finite elements relative to the half-space, and the resulting
 // displacement at the middles of contact elements.
 #include "base/pi.hpp"
+#include "fem/fem_options.hpp"
 #include "fem/trace/middle_displacement.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 
