@@ -139,6 +139,10 @@ def _give(word: str, places: Sequence[Place]) -> None:
         _refuse(word, "the value is not a number", places)
 
 
+#: Of the last pass over bodies that yield.
+OF_PASSES = ("plastic_increment", "net_plastic_increment", "residual_stress", "groove_depth", "forward_flow", "plastic_work")
+
+
 def _numbers(result: "_core.Result | None", axes: tuple[str, str]) -> Iterator[tuple[str, Point, str]]:
     """(key of the study, load point, quantity) of what the model gives."""
     points = models_of(result)[0].points if result else []
@@ -150,6 +154,9 @@ def _numbers(result: "_core.Result | None", axes: tuple[str, str]) -> Iterator[t
             found = [name for name in ("longitudinal_creepage", "lateral_creepage") if point.found(name)]
             for name in found if found[:1] == ["longitudinal_creepage"] else ["traction_coefficient", *found]:
                 yield f"{name}:{number}", point, name
+    for name in OF_PASSES if points else ():
+        if points[-1].scalars.get(name):
+            yield f"{name}:{len(points)}", points[-1], name
 
 
 def _solved(level: Level, result: _core.Result, seconds: float, axes: tuple[str, str]) -> None:

@@ -365,7 +365,7 @@ def _name_of(place: Place, key: str) -> str:
     if not point:
         return QUANTITIES[name].title
     if not is_coefficient(key):
-        return f"{QUANTITIES[name].title} found at load point {point}"
+        return f"{QUANTITIES[name].title} {'found at' if name.endswith('creepage') else 'of'} load point {point}"
     return f"traction coefficient at xi = {100 * place.creepages[int(point) - 1][0]:.4g} %"
 
 
