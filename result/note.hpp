@@ -73,12 +73,13 @@ enum class NoBar {
   near_surface,  ///< the largest stress lies so near the surface that the coarser grid does not
                  ///< tell
   no_limit,      ///< grows without bound on finer grids: the pressure at a sharp end of a body
+  not_resolved,  ///< plastic flow whose strain depends on the mesh too much to tell how far
 };
 
 /// Words of the members, in their order, in files and tables.
-inline constexpr std::array<const char*, 11> no_bar_words{
-    "exact",   "given",    "counted",       "measured",     "theory",  "one grid",
-    "balance", "relative", "not estimated", "near surface", "no limit"};
+inline constexpr std::array<const char*, 12> no_bar_words{
+    "exact",   "given",    "counted",       "measured",     "theory",   "one grid",
+    "balance", "relative", "not estimated", "near surface", "no limit", "not resolved"};
 
 constexpr const char* word_of(NoBar reason) {
   return no_bar_words[static_cast<std::size_t>(reason)];

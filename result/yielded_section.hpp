@@ -23,13 +23,29 @@ enum class YieldVerdict {
   settling,           ///< it still changes from cycle to cycle
   yields,             ///< when pressed: more in this step
   holds,              ///< when pressed: not in this step
+  beyond_shakedown,   ///< it yields by the same strain in every cycle, of which what lasts still
+                      ///< falls
 };
 
 constexpr const char* word_of(YieldVerdict verdict) {
-  constexpr std::array<const char*, 7> words{
-      "elastic", "elastic shakedown", "plastic shakedown", "ratchetting", "settling",
-      "yields",  "nothing new yields"};
+  constexpr std::array<const char*, 8> words{
+      "elastic", "elastic shakedown",  "plastic shakedown", "ratchetting", "settling",
+      "yields",  "nothing new yields", "beyond shakedown"};
   return words[static_cast<std::size_t>(verdict)];
+}
+
+/// How sure a verdict is, by the same passes on cells of twice the size.
+enum class YieldEvidence {
+  one_mesh,      ///< no second mesh to compare
+  both_meshes,   ///< the same verdict, and about the same strain
+  not_resolved,  ///< the strain of the verdict depends on the mesh
+  meshes_differ  ///< another verdict there
+};
+
+constexpr const char* word_of(YieldEvidence evidence) {
+  constexpr std::array<const char*, 4> words{"one mesh", "both meshes", "not resolved",
+                                             "meshes differ"};
+  return words[static_cast<std::size_t>(evidence)];
 }
 
 /// Streamlines of the section in order of depth, then y (`y` fastest); tensors are xx yy zz xy yz
@@ -37,6 +53,9 @@ constexpr const char* word_of(YieldVerdict verdict) {
 struct YieldedSection {
   std::string body;
   YieldVerdict verdict = YieldVerdict::settling;
+  YieldEvidence evidence = YieldEvidence::one_mesh;
+  std::string finding;
+  double shakedown_load = 0.0, elastic_shakedown_load = 0.0;
   int from_pass = 0, iterations = 0, cycle = 1;
   double increment = 0.0, net_increment = 0.0, cycle_increment = 0.0, cycle_net_increment = 0.0;
   double plastic_strain = 0.0, plastic_work = 0.0, utilisation = 0.0, residual = 0.0;
@@ -52,6 +71,13 @@ struct YieldedSection {
     return std::tuple(
         member("body", &S::body, "", "wheel or rail"),
         member("verdict", &S::verdict, "", "response to the passes"),
+        member("evidence", &S::evidence, "",
+               "how sure the verdict is: both meshes, not resolved, meshes differ, one mesh"),
+        member("finding", &S::finding, "", "verdict with its evidence, in words"),
+        member("shakedown_load", &S::shakedown_load, "-",
+               "load of the pass over the limit of shakedown of steel that does not harden"),
+        member("elastic_shakedown_load", &S::elastic_shakedown_load, "-",
+               "the same for the largest pressure of elastic bodies"),
         member("from_pass", &S::from_pass, "-", "the verdict has held since this pass"),
         member("iterations", &S::iterations, "-", "of the pass"),
         member("cycle", &S::cycle, "-",

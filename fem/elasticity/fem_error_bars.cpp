@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "contact/solve/side_by_side.hpp"
+#include "fem/plasticity/pass_results.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/model/step_errors.hpp"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -166,17 +168,33 @@ void set_point_bars(const Scene& scene, std::size_t k, const Beside& beside,
   contact::explain_singular_values(scene, levels[last].grid, levels[last].points[k]);
 }
 
-/// Plastic strain has kinks, so that the change between two meshes is taken as the error.
-void set_pass_bars(const PointResult& coarse, PointResult& fine) {
-  for (const char* name : {"plastic_strain", "plastic_increment", "net_plastic_increment",
-                           "residual_stress", "groove_depth", "forward_flow", "plastic_work"}) {
-    const contact::Quantity& quantity = contact::quantity_named(name);
-    const auto value = quantity.value(fine), before = quantity.value(coarse);
-    if (value && before) fine.error_estimate[name] = std::abs(*value - *before);
+}  // namespace
+
+void set_pass_bars(const std::vector<PointResult>& coarse, std::vector<PointResult>& fine) {
+  // Counted over random loads with benchmark_fem_pass_bars (docs/plasticity.md).
+  constexpr double safety = 1.25, least = 0.25, unresolved = 0.6;
+  std::map<std::string, double> largest;
+  for (std::size_t k = 0; k < fine.size(); ++k) {
+    const auto value = [k](const char* name, const std::vector<PointResult>& of) {
+      return contact::quantity_named(name).value(of[k]).value_or(0.0);
+    };
+    for (const char* name : pass_quantities) {
+      const double here = value(name, fine), change = std::abs(here - value(name, coarse));
+      if (change > 0.0) largest[name] = std::max(largest[name], change / std::abs(here));
+    }
+    for (const std::string name : pass_quantities) {
+      if (!contact::quantity_named(name).value(fine[k])) continue;
+      // Steel that has flowed more is under more stress.
+      const double of_strain =
+          (name == "residual_stress" ? 1.0 : least) * largest["plastic_strain"];
+      const double part = std::max(largest[name], of_strain);
+      if (part > unresolved)
+        fine[k].no_bar[name] = contact::NoBar::not_resolved;
+      else
+        fine[k].error_estimate[name] = safety * part * std::abs(value(name.c_str(), fine));
+    }
   }
 }
-
-}  // namespace
 
 double bar_beside_half_spaces(const NumberOnLevels& number) {
   std::vector<double> apart;
@@ -209,7 +227,10 @@ bool set_error_bars(const Scene& scene, std::vector<ModelResult>& levels) {
       fine.richardson.clear();
     }
     halfspace::set_stress_bars(levels[last].grid, coarse, coarsest, fine);
-    if (scene.yields()) set_pass_bars(coarse, fine);
+  }
+  if (scene.yields()) {
+    set_pass_bars(levels[last - 1].points, levels[last].points);
+    compare_verdicts(levels[last - 1].points, levels[last].points);
   }
   if (!beside) return false;
   beside->count_steps(scene, levels[last]);

@@ -7,6 +7,7 @@
 #include "result/result.hpp"
 #include "scene/scene.hpp"
 
+#include <array>
 #include <vector>
 
 namespace rollfem::fem {
@@ -21,6 +22,18 @@ struct NumberOnLevels {
 };
 /// The error bar of the last of `finite`.
 double bar_beside_half_spaces(const NumberOnLevels& number);
+
+/// Quantities of a pass over bodies that yield.
+inline constexpr std::array<const char*, 7> pass_quantities{
+    "plastic_strain", "plastic_increment", "net_plastic_increment", "residual_stress",
+    "groove_depth",   "forward_flow",      "plastic_work"};
+
+/// Sets the bars of these quantities from the same passes on cells of twice the size. Plastic
+/// strain has kinks, so that two meshes may agree by chance and show no order: the bar is a
+/// multiple of the largest relative change so far, at least of a part of that of the plastic
+/// strain. Where it exceeds 60 %, there is none.
+void set_pass_bars(const std::vector<contact::PointResult>& coarse,
+                   std::vector<contact::PointResult>& fine);
 
 /// Sets the error bars of the last level; at least two levels, each with half the cell size of the
 /// previous one. Adds to existing bars of its points (approach of finite segments). False if

@@ -423,9 +423,9 @@ void SharedLevel::solve_contact() {
   refuse_further_patches(scene, geometry_, layout.grid, level.points);
   contact::warn_of_steep_friction(level, scene.friction(), result.notes);
   result.points = std::move(level.points);
-  for (const contact::YieldedSection& section : result.points.back().yielded)
-    result.notes.push_back({fmt::format("{} of the {}", word_of(section.verdict), section.body),
-                            verdict_note(section, static_cast<int>(result.points.size()))});
+  for (std::size_t k = 0; k < result.points.size(); ++k)
+    for (contact::YieldedSection& section : result.points[k].yielded)
+      section.finding = finding(section, nullptr, static_cast<int>(k) + 1);
   result.seconds["normal"] += level.normal_seconds;
   result.seconds["tangential"] = level.tangential_seconds;
 }

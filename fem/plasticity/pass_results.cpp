@@ -2,6 +2,7 @@
 #include "fem/plasticity/pass_results.hpp"
 
 #include "base/knots.hpp"
+#include "base/threads.hpp"
 #include "fem/stress/stress_output.hpp"
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@ namespace rollfem::fem {
 namespace {
 
 using contact::YieldedSection;
+using contact::YieldEvidence;
 using contact::YieldVerdict;
 
 /// Linear between the depths, constant outside.
@@ -138,9 +140,9 @@ void PassResults::judge(const YieldedBody& after, YieldedSection& section) {
   else if (net_increment_ <= nothing * yield_strain ||
            std::max(net_increment_, still_to_come) <= closed * increment_)
     verdict = YieldVerdict::plastic_shakedown;
-  else if (passes_ > 2 * cycle_ && change <= steady * increment_ &&
-           std::abs(fall) <= same * net_increment_)
-    verdict = YieldVerdict::ratchetting;
+  else if (passes_ > 2 * cycle_ && change <= steady * increment_ && fall >= -same * net_increment_)
+    verdict =
+        fall <= same * net_increment_ ? YieldVerdict::ratchetting : YieldVerdict::beyond_shakedown;
   if (verdict != verdict_) from_pass_ = passes_;
   verdict_ = section.verdict = verdict;
   section.from_pass = from_pass_;
@@ -177,6 +179,27 @@ void PassResults::fill_section(const YieldedBody& after, YieldedSection& section
   }
 }
 
+double shakedown_load(const PlasticLaw& law, const Streamlines& streamlines,
+                      const std::vector<Deviator>& elastic) {
+  const std::size_t stations = streamlines.stations();
+  const double twice_g = 2.0 * law.shear_modulus(), yield = law.parameters().yield_stress;
+  std::vector<double> of_stream(streamlines.streams(), 0.0);
+  contact::for_each_index(of_stream.size(), [&](std::size_t stream) {
+    const Deviator* strain = &elastic[stream * stations];
+    double shear = 0.0, change = 0.0;
+    for (std::size_t i = 0; i < stations; ++i) {
+      shear = std::max(shear, std::abs(strain[i][5]));
+      for (std::size_t j = 0; j < i; ++j) {
+        const Deviator difference = sum(strain[i], -1.0, strain[j]);
+        change = std::max(change, product(difference, difference));
+      }
+    }
+    of_stream[stream] =
+        twice_g / yield * std::max(std::sqrt(3.0) * shear, std::sqrt(0.375 * change));
+  });
+  return *std::max_element(of_stream.begin(), of_stream.end());
+}
+
 namespace {
 
 /// Of a body that is pressed, not rolled over.
@@ -188,14 +211,52 @@ double imprint_of(const YieldedSection& section) {
   return -*std::min_element(section.groove.begin(), section.groove.end());
 }
 
+/// The strain of a cycle by which a verdict is judged.
+double decisive(const YieldedSection& section) {
+  return section.verdict == YieldVerdict::ratchetting ? section.cycle_net_increment
+                                                      : section.cycle_increment;
+}
+
+YieldEvidence evidence_of(const YieldedSection& coarse, const YieldedSection& fine) {
+  constexpr double about = 0.3;  // relative change between the meshes
+  const bool flows =
+      fine.verdict == YieldVerdict::ratchetting || fine.verdict == YieldVerdict::settling ||
+      fine.verdict == YieldVerdict::beyond_shakedown || fine.verdict == YieldVerdict::yields;
+  const double here = decisive(fine);
+  const double there = fine.verdict == YieldVerdict::ratchetting ? coarse.cycle_net_increment
+                                                                 : coarse.cycle_increment;
+  if (flows && std::abs(here - there) > about * std::max(here, there))
+    return YieldEvidence::not_resolved;
+  return coarse.verdict == fine.verdict ? YieldEvidence::both_meshes : YieldEvidence::meshes_differ;
+}
+
+/// Where the shakedown map says otherwise, and why.
+std::string beside_the_map(const YieldedSection& section) {
+  constexpr double near = 0.1;
+  const double load = section.shakedown_load, elastic = section.elastic_shakedown_load;
+  const char* const limit = "of the limit of shakedown of steel that does not harden";
+  if (load == 0.0 || section.verdict == YieldVerdict::elastic) return {};
+  const bool flows = section.verdict == YieldVerdict::ratchetting ||
+                     section.verdict == YieldVerdict::beyond_shakedown;
+  if (flows && load < 1.0 - near)
+    return fmt::format("; the load is {:.0f} % {}", 100.0 * load, limit);
+  if (flows) return {};
+  if (load <= 1.0 && elastic > 1.0 && load < (1.0 - 0.3 * near) * elastic)
+    return fmt::format(
+        "; it settles because the groove conforms: the load falls from {:.0f} to {:.0f} % {}",
+        100.0 * elastic, 100.0 * load, limit);
+  if (load > 1.0 + near)
+    return fmt::format("; yet the load is {:.0f} % {}, which hardening raises", 100.0 * load,
+                       limit);
+  return {};
+}
+
 }  // namespace
 
-std::string verdict_note(const YieldedSection& section, int passes) {
-  const char* one = is_pressed(section) ? "step" : "pass";
-  std::string text =
-      fmt::format("the {} after {} {}{}: {}", section.body, passes, one,
-                  passes == 1 ? "" : (is_pressed(section) ? "s" : "es"), word_of(section.verdict));
-  if (section.from_pass < passes) text += fmt::format(" since {} {}", one, section.from_pass);
+std::string finding(const YieldedSection& section, const YieldedSection* coarse, int passes) {
+  std::string text = word_of(section.verdict);
+  if (section.from_pass < passes)
+    text += fmt::format(" since {} {}", is_pressed(section) ? "step" : "pass", section.from_pass);
   if (is_pressed(section))
     return section.plastic_strain == 0.0
                ? text
@@ -203,17 +264,52 @@ std::string verdict_note(const YieldedSection& section, int passes) {
                                     section.plastic_strain, imprint_of(section));
   const std::string cycle =
       section.cycle == 1 ? "pass" : fmt::format("cycle of {} points", section.cycle);
-  const bool grows = section.verdict == YieldVerdict::ratchetting;
-  if (grows || section.verdict == YieldVerdict::plastic_shakedown)
-    text += fmt::format(", {}{:.2g} of lasting plastic strain a {}", grows ? "" : "at most ",
-                        section.cycle_net_increment, cycle);
-  else if (section.verdict == YieldVerdict::settling)
-    text += fmt::format(
-        ", {:.2g} of plastic strain in the last {}, {:.2g} of it lasting: more passes will tell",
-        section.cycle_increment, cycle, section.cycle_net_increment);
-  else if (section.cycle > 1)
-    text += fmt::format(", judged over a {}", cycle);
-  return text;
+  const bool resolved = section.evidence != YieldEvidence::not_resolved;
+  const auto strain = [&](double value, double on_coarse) {
+    return fmt::format("{}{:.2g}", !resolved && value > on_coarse ? "at least " : "", value);
+  };
+  const double net = section.cycle_net_increment, all = section.cycle_increment;
+  const double coarse_net = coarse ? coarse->cycle_net_increment : net,
+               coarse_all = coarse ? coarse->cycle_increment : all;
+  if (!resolved) text += ", not resolved";
+  switch (section.verdict) {
+    case YieldVerdict::ratchetting:
+      text += fmt::format(", {} of lasting plastic strain a {}", strain(net, coarse_net), cycle);
+      break;
+    case YieldVerdict::plastic_shakedown:
+      text += fmt::format(", at most {:.2g} of lasting plastic strain a {}", net, cycle);
+      break;
+    case YieldVerdict::settling:
+    case YieldVerdict::beyond_shakedown:
+      text += fmt::format(", {} of plastic strain in the last {}, {} of it lasting{}",
+                          strain(all, coarse_all), cycle, strain(net, coarse_net),
+                          section.verdict == YieldVerdict::settling ? ": more passes will tell"
+                                                                    : " and still falling");
+      break;
+    default:
+      if (section.cycle > 1) text += fmt::format(", judged over a {}", cycle);
+  }
+  if (coarse && section.evidence != YieldEvidence::both_meshes)
+    text += fmt::format("; on cells of twice the size {}, {:.2g} and {:.2g}",
+                        word_of(coarse->verdict), coarse_all, coarse_net);
+  return text + beside_the_map(section);
+}
+
+std::string verdict_note(const YieldedSection& section, int passes) {
+  const bool steps = is_pressed(section);
+  return fmt::format("the {} after {} {}{}: {}", section.body, passes, steps ? "step" : "pass",
+                     passes == 1 ? "" : (steps ? "s" : "es"), section.finding);
+}
+
+void compare_verdicts(const std::vector<contact::PointResult>& coarse,
+                      std::vector<contact::PointResult>& fine) {
+  for (std::size_t k = 0; k < fine.size(); ++k)
+    for (std::size_t b = 0; b < fine[k].yielded.size(); ++b) {
+      YieldedSection& section = fine[k].yielded[b];
+      const YieldedSection& other = coarse[k].yielded[b];
+      section.evidence = evidence_of(other, section);
+      section.finding = finding(section, &other, static_cast<int>(k) + 1);
+    }
 }
 
 void sum_up(contact::PointResult& point) {

@@ -57,7 +57,23 @@ class PassResults {
 /// The scalars of a load point from its bodies.
 void sum_up(contact::PointResult& point);
 
-/// What became of a body, in a sentence for the reader.
+/// The load over the limit of shakedown of steel that does not harden, from the deviatoric strain
+/// of elastic bodies at all points. Steady residual stress balances everything but xz, whose limit
+/// is k, and changes no difference between two instants, whose von Mises stress may be 2 sqrt(3) k
+/// (Melan).
+double shakedown_load(const PlasticLaw& law, const Streamlines& streamlines,
+                      const std::vector<Deviator>& elastic);
+
+/// The verdict with its evidence after so many passes; `coarse`: of cells of twice the size, null
+/// without them.
+std::string finding(const contact::YieldedSection& section, const contact::YieldedSection* coarse,
+                    int passes);
+
+/// The finding with what it is of: "the rail after 6 passes: ...".
 std::string verdict_note(const contact::YieldedSection& section, int passes);
+
+/// Sets evidence and finding of the bodies of all passes by those of the coarser mesh.
+void compare_verdicts(const std::vector<contact::PointResult>& coarse,
+                      std::vector<contact::PointResult>& fine);
 
 }  // namespace rollfem::fem

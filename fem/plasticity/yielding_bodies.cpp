@@ -6,6 +6,7 @@
 #include "fem/discretisation/elastic_problem.hpp"
 #include "fem/plasticity/pass_results.hpp"
 #include "fem/plasticity/steady_pass.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
 
@@ -121,8 +122,10 @@ class YieldingBody {
   }
 
   /// Solves the pass in question anew, from its last solution.
-  PassReport pass(const Vector& elastic, bool counts) {
-    std::vector<Deviator> strain = with_initial(streamlines_.strains(elastic));
+  PassReport pass(const Vector& elastic, bool counts, double* shakedown = nullptr) {
+    std::vector<Deviator> strain = streamlines_.strains(elastic);
+    if (shakedown != nullptr) *shakedown = shakedown_load(law_, streamlines_, strain);
+    strain = with_initial(std::move(strain));
     YieldedBody next = now_;
     next.leaving = before_.leaving;
     next.strain = before_.strain;
@@ -136,10 +139,14 @@ class YieldingBody {
     return report;
   }
 
-  contact::YieldedSection finish(const Vector& elastic) {
-    const PassReport report = pass(elastic, true);
+  /// `traction`: the largest one along rolling, MPa, which is xz at the surface.
+  contact::YieldedSection finish(const Vector& elastic, double traction) {
+    double load = 0.0;
+    const PassReport report = pass(elastic, true, &load);
     refuse_beyond_streamlines();
     contact::YieldedSection section = results_.after_pass(report, before_, now_);
+    if (!now_.pressed())
+      section.shakedown_load = std::max(load, traction / law_.parameters().shear_yield_stress());
     before_ = now_;
     if (extrapolates_ && results_.cycle_ended())
       limit_.approach(residual_behind_load(), before_.leaving);
@@ -184,10 +191,15 @@ class YieldingBody {
     return stress;
   }
 
-  /// At the border of the lattice nothing may yield, except where streamlines leave.
+  /// At the border of the lattice nothing may yield by more than a small part of the largest strain
+  /// of the pass, except where streamlines leave.
   void refuse_beyond_streamlines() const {
     const std::size_t width = streamlines_.width(), all = streamlines_.streams();
-    const double least = 1e-3 * law_.parameters().yield_stress / law_.shear_modulus();
+    constexpr double small = 5e-3;
+    double least = 1e-3 * law_.parameters().yield_stress / law_.shear_modulus();
+    for (std::size_t path = 0; path < now_.leaving.size(); ++path)
+      least = std::max(
+          least, small * (now_.leaving[path].accumulated - before_.leaving[path].accumulated));
     const auto refuse = [&](const char* where) {
       throw YieldsBeyondStreamlines(fmt::format(
           "the {} yielded {} of the region that may yield, {:.3g} mm along and {:.3g} mm "
@@ -209,7 +221,7 @@ class YieldingBody {
           refuse("at the border along");
         continue;
       }
-      if (now_.accumulated[first] - before_.leaving[stream].accumulated > 0.05 * gained)
+      if (now_.accumulated[first] - before_.leaving[stream].accumulated > 0.05 * gained + least)
         refuse("at the leading border");
       if (now_.leaving[stream].accumulated -
               now_.accumulated[first + streamlines_.section_station()] >
@@ -231,7 +243,8 @@ class YieldingBody {
 };
 
 YieldingBodies::YieldingBodies(const contact::Scene& scene, const BodyPair& bodies,
-                               const Solvers& solvers) {
+                               const Solvers& solvers)
+    : elastic_pressure_(halfspace::PatchSearch(scene).patch().max_pressure) {
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& steel = (k == 0 ? scene.wheel : scene.rail).plasticity;
     if (steel && bodies[k] != nullptr)
@@ -254,8 +267,16 @@ std::vector<Vector> YieldingBodies::respond(const std::vector<Vector>& elastic) 
 }
 
 void YieldingBodies::finish_pass(const std::vector<Vector>& elastic, contact::PointResult& point) {
-  for (std::size_t k = 0; k < 2; ++k)
-    if (parts_[k]) point.yielded.push_back(parts_[k]->finish(elastic[k]));
+  const contact::Field& along = point.fields.traction.x;
+  const double traction = along.size() == 0 ? 0.0 : along.cwiseAbs().maxCoeff();
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!parts_[k]) continue;
+    contact::YieldedSection& section =
+        point.yielded.emplace_back(parts_[k]->finish(elastic[k], traction));
+    if (point.max_pressure > 0.0)
+      section.elastic_shakedown_load =
+          section.shakedown_load * elastic_pressure_ / point.max_pressure;
+  }
   sum_up(point);
 }
 

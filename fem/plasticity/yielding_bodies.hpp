@@ -67,6 +67,7 @@ class YieldingBodies {
   const YieldedFields* fields(std::size_t body) const;
 
  private:
+  double elastic_pressure_;                             ///< p0 of elastic bodies, MPa
   std::array<std::unique_ptr<YieldingBody>, 2> parts_;  ///< wheel, rail; null: elastic
 };
 

@@ -19,11 +19,12 @@ ACROSS = "$y$ [mm], lateral"
 # Looks of up to four passes, the last one first.
 PASSES = (("red", ()), ("blue", (7.5, 2.3)), ("green", (3, 1.5)), ("amber", (1.5, 1.5)))
 MOST_MARKED = 30  # of more passes, lines without markers
-VERDICTS = {"elastic": "nothing yields", "elastic shakedown": "no more plastic flow",
-            "plastic shakedown": "the same cycle in every pass, closed but for at most {} of plastic strain",
-            "ratchetting": "plastic strain grows by {} with every pass",
-            "settling": "still changes from pass to pass: more passes will tell",
-            "yields": "{} of plastic strain in the last step", "nothing new yields": "the last step is elastic"}
+
+
+def told(after):
+    """The verdict with its evidence, unless both meshes agree."""
+    evidence = after.get("evidence", "both meshes")
+    return after["verdict"] + (f" ({evidence})" if evidence != "both meshes" else "")
 
 
 def bodies(result):
@@ -75,7 +76,7 @@ def passes(result):
         rows = _passes(model, body)
         last = rows[-1][2]
         since = f" since {one(result)} {last['from_pass']}" if 1 < last["from_pass"] < rows[-1][0] else ""
-        panel = figure.add(400, 250, f"{body}: {last['verdict']}{since}", one(result), f"plastic strain of the {one(result)} [-]")
+        panel = figure.add(400, 250, f"{body}: {told(last)}{since}", one(result), f"plastic strain of the {one(result)} [-]")
         panel.y.log = True
         at = [n for n, *_ in rows]
         panel.x.limits = (0.5, at[-1] + 0.5)
@@ -216,11 +217,10 @@ def passes_table(result):
     model, rolls = found[0][0], one(result) == "pass"
     columns = [name for name in COLUMNS[rolls:] if any(name in p.scalars for p in model.points)]
     rows = [[number(p.number + 1), *(barred(p, name, 3) for name in columns),
-             "<br>".join(f"{body}: {after['verdict']}" for body, after in p.yielded.items())]
+             "<br>".join(f"{body}: {told(after)}" for body, after in p.yielded.items())]
             for p in map(model.at, load_points.shown_keys([model]))]
     last = model.points[-1].yielded
-    said = "".join(f"<p class=say>{escape(styles.label(model))}, {body}: {after['verdict']}; "
-                   f"{VERDICTS[after['verdict']].format(number(after['cycle_net_increment'], 2))}.</p>"
+    said = "".join(f"<p class=say>{escape(styles.label(model))}, {body}: {escape(after.get('finding', after['verdict']))}.</p>"
                    for body, after in last.items())
     return said + table([one(result), *(heading(result.quantities[name]) for name in columns), "verdict"], rows, frame="many") + hint(
         "Largest values of both bodies; residual stress, groove and flow: of the section behind the load." if rolls else

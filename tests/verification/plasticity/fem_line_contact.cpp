@@ -3,6 +3,7 @@
 // against Johnson's theory (Contact mechanics, 1985, sections 4.2, 9.2), and how far clamped ends
 // hold flow back.
 #include "fem/discretisation/body_points.hpp"
+#include "fem/plasticity/pass_results.hpp"
 
 #include "support/fem_plane_strain.hpp"
 
@@ -37,13 +38,10 @@ std::pair<double, double> first_yield() {
   return {std::sqrt(3.0) / largest.first, largest.second};
 }
 
-/// p0/k at which the largest |xz| at the material points is k: what a steady residual stress cannot
-/// change.
+/// p0/k of shakedown on the cells of a slab.
 double melan_limit(const RolledBody& slab, double friction) {
-  double largest = 0.0;
-  for (const auto& strain : slab.elastic_strain(1.0, friction))
-    largest = std::max(largest, std::abs(strain[5]));
-  return 1.0 / (2.0 * fem::lame_mu(slab.body->material()) * largest);
+  const fem::PlasticLaw law(plain_steel(1.0), fem::lame_mu(slab.body->material()));
+  return 1.0 / fem::shakedown_load(law, slab.lines, slab.elastic_strain(1.0, friction));
 }
 
 /// To 1e-5: what the residual stresses of these tests need.

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The verdict on a body that yields: over a cycle of load points that alternate, and over passes
 // that are all alike.
+#include "fem/elasticity/fem_error_bars.hpp"
 #include "fem/plasticity/pass_results.hpp"
 #include "result/record.hpp"
 
 #include <fmt/format.h>
 
 #include "support/fem_plane_strain.hpp"
+#include <tuple>
 
 namespace {
 
@@ -77,12 +79,12 @@ TEST(PassResults, AlternatingFrictionIsPlasticShakedownOverItsCycle) {
   EXPECT_LE(last.cycle_increment, middle.increment + last.increment);
   EXPECT_GT(last.cycle_increment, std::max(middle.increment, last.increment));
   EXPECT_LT(last.cycle_net_increment, 0.03 * last.net_increment);
-  EXPECT_EQ(
-      fem::verdict_note(last, 6),
-      fmt::format("the rail after 6 passes: plastic shakedown since pass 4, at most {:.2g} of "
-                  "lasting plastic strain a cycle of 2 points",
-                  last.cycle_net_increment));
-  EXPECT_EQ(fem::verdict_note(sections[1][0], 1).substr(0, 32), "the rail after 1 pass: settling,");
+  EXPECT_EQ(fem::finding(last, nullptr, 6),
+            fmt::format(
+                "plastic shakedown since pass 4, at most {:.2g} of lasting plastic strain a cycle "
+                "of 2 points",
+                last.cycle_net_increment));
+  EXPECT_EQ(fem::finding(sections[1][0], nullptr, 1).substr(0, 9), "settling,");
 }
 
 // Of load points that are alike, a cycle of two is twice a pass, and has its verdict.
@@ -103,8 +105,68 @@ TEST(PassResults, SteadyFlowIsRatchettingAndItsRateIsTold) {
   EXPECT_EQ(passes[1].verdict, YieldVerdict::settling);
   EXPECT_EQ(last.verdict, YieldVerdict::ratchetting);
   EXPECT_NEAR(last.net_increment / before.net_increment, 1.0, 0.1);
-  EXPECT_TRUE(says(fem::verdict_note(last, 7),
+  EXPECT_TRUE(says(fem::finding(last, nullptr, 7),
                    fmt::format("{:.2g} of lasting plastic strain a pass", last.net_increment)));
+}
+
+/// A pass with this verdict, strain, lasting strain and load over the limits of shakedown.
+std::vector<contact::PointResult> one_pass(YieldVerdict verdict, double strain, double net,
+                                           double load = 1.0, double elastic_load = 1.0) {
+  contact::PointResult point;
+  YieldedSection& section = point.yielded.emplace_back();
+  section.verdict = verdict;
+  section.from_pass = 1;
+  section.forward_flow = {0.0};
+  section.cycle_increment = strain;
+  section.cycle_net_increment = net;
+  section.shakedown_load = load;
+  section.elastic_shakedown_load = elastic_load;
+  return {point};
+}
+
+TEST(PassResults, AVerdictIsThatOfTheFinerMeshAsFarAsBothResolveIt) {
+  const auto flows = YieldVerdict::ratchetting, settles = YieldVerdict::settling;
+  const auto compared = [](auto coarse, auto fine) {
+    fem::compare_verdicts(coarse, fine);
+    return fine.front().yielded.front();
+  };
+  const YieldedSection same = compared(one_pass(flows, 3e-3, 2e-3), one_pass(flows, 4e-3, 2.1e-3));
+  EXPECT_EQ(same.evidence, contact::YieldEvidence::both_meshes);
+  EXPECT_EQ(same.finding, "ratchetting, 0.0021 of lasting plastic strain a pass");
+  const YieldedSection grows = compared(one_pass(settles, 3e-3, 1e-3), one_pass(flows, 4e-3, 2e-3));
+  EXPECT_EQ(grows.evidence, contact::YieldEvidence::not_resolved);
+  EXPECT_EQ(grows.finding,
+            "ratchetting, not resolved, at least 0.002 of lasting plastic strain a pass; on cells "
+            "of twice the size settling, 0.003 and 0.001");
+  const YieldedSection other = compared(one_pass(flows, 3e-3, 2e-3), one_pass(settles, 3e-3, 1e-3));
+  EXPECT_EQ(other.evidence, contact::YieldEvidence::meshes_differ);
+  EXPECT_TRUE(says(other.finding, "settling, ") && says(other.finding, "size ratchetting"));
+}
+
+TEST(PassResults, AVerdictNamesTheLimitOfShakedownThatContradictsIt) {
+  const auto found = [](YieldVerdict verdict, double load, double elastic_load) {
+    return fem::finding(one_pass(verdict, 1e-3, 1e-4, load, elastic_load)[0].yielded[0], nullptr,
+                        1);
+  };
+  EXPECT_TRUE(says(found(YieldVerdict::settling, 0.94, 1.13),
+                   "it settles because the groove conforms: the load falls from 113 to 94 %"));
+  EXPECT_TRUE(says(found(YieldVerdict::settling, 1.84, 1.9), "yet the load is 184 %"));
+  EXPECT_TRUE(says(found(YieldVerdict::ratchetting, 0.5, 0.6), "the load is 50 %"));
+  EXPECT_FALSE(says(found(YieldVerdict::ratchetting, 1.2, 1.3), "shakedown"));
+}
+
+// Plane strain at 5 k, friction 0.39, steel that saturates: the third pass on cells of a/4, a/8 and
+// a/16. The largest residual stress lies below the layer on the first two, in it on the third.
+TEST(PassBars, AgreementByChanceDoesNotMakeThemSmall) {
+  std::vector<contact::PointResult> coarse(1), fine(1);
+  std::tie(coarse[0].plastic_strain, coarse[0].residual_stress) = std::tuple(0.1002, 271.8);
+  std::tie(fine[0].plastic_strain, fine[0].residual_stress) = std::tuple(0.1274, 264.9);
+  fem::set_pass_bars(coarse, fine);
+  EXPECT_GT(fine[0].bar_of("residual_stress").value(), 328.8 - 264.9);
+  EXPECT_LT(fine[0].bar_of("residual_stress").value(), 100.0);
+  coarse[0].plastic_strain = 0.04;
+  fem::set_pass_bars(coarse, fine);
+  EXPECT_EQ(fine[0].no_bar.at("residual_stress"), contact::NoBar::not_resolved);
 }
 
 }  // namespace
