@@ -127,6 +127,12 @@ CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
       contact::add_note(bodies.notes, "rigid_" + key, "the {} is rigid and not meshed", key);
       return nullptr;
     }
+    if (!own.rows.equal_rows())
+      contact::add_note(bodies.notes, "surface_layer_" + key,
+                        "the {} flows at the surface: its cells are {:.2g} mm high there, and grow "
+                        "to {:.4g} mm at a depth of {:.2g} mm",
+                        key, own.rows.depth(own.cell_size), own.cell_size,
+                        own.rows.depth(own.rows.reach()));
     if (file.empty() && sections) return section_body(scene, shape, material, own, communicator);
     if (file.empty()) return std::make_unique<Body>(shape, material, own, communicator);
     contact::add_note(bodies.notes, "mesh_" + key, "the {} has the mesh of {}", key, file);

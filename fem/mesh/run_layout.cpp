@@ -3,6 +3,7 @@
 
 #include "base/count.hpp"
 #include "base/errors.hpp"
+#include "base/root.hpp"
 #include "fem/mesh/body_mesh.hpp"
 #include "fem/mesh/surface_shape.hpp"
 
@@ -201,11 +202,41 @@ double depth_of_stress(double part, double poisson_ratio, bool line) {
   return depth;
 }
 
-/// Height of the cells at the surface, mm; 0: equal rows. Friction makes steel flow in a thin
-/// layer.
-double first_row(const Scene& scene, const PatchBox& patch) {
-  constexpr double part = 0.02;  // of the smaller semi-axis
-  return scene.friction_coefficient() > 0.0 ? part * patch.smaller() : 0.0;
+/// Stress in shear, MPa, that steel bears after this plastic strain, without turning back.
+double shear_borne(const contact::BodyPlasticity& steel, double strain) {
+  double stress = steel.yield_stress_at(strain);
+  for (const auto& back : steel.back_stresses)
+    stress += back.recovery > 0.0
+                  ? -back.modulus / back.recovery * std::expm1(-back.recovery * strain)
+                  : back.modulus * strain;
+  return stress / std::sqrt(3.0);
+}
+
+/// Height of the first row, mm: so thin that the strain at its first material points is within a
+/// tenth of that at the surface, or of the yield strain. There the shear is the traction, and falls
+/// below the middle of a line contact in full slip as mu p0 (1 - 2 depth/a) (Johnson 1985,
+/// section 7.1): steel flows until it bears this. Tractions that it never bears fall as the contact
+/// conforms.
+double chosen_row(const Scene& scene, const contact::BodyPlasticity& steel, double young_modulus,
+                  const PatchBox& patch) {
+  constexpr double first_point = 0.2;  // of the row
+  constexpr double least = 0.01;       // of the semi-axis
+  constexpr double much = 1.0, part_borne = 0.97;
+  const double traction =
+      std::min(scene.friction_coefficient() * PatchSearch(scene).patch().max_pressure,
+               part_borne * shear_borne(steel, much));
+  const auto strain = [&](double depth) {
+    const double shear = traction * (1.0 - 2.0 * depth / patch.smaller());
+    const auto spare = [&](double of) { return shear_borne(steel, of) - shear; };
+    return spare(0.0) >= 0.0 ? 0.0
+                             : contact::bracketed_root(spare, 0.0, much, 1e-9, "plastic strain");
+  };
+  const double at_surface = strain(0.0);
+  const double allowed = 0.1 * std::max(at_surface, steel.yield_stress / young_modulus);
+  double height = patch.smaller();
+  while (height > least * patch.smaller() && strain(first_point * height) < at_surface - allowed)
+    height *= 0.8;
+  return height;
 }
 
 /// Rows of fine cells and of streamlines that may yield down to this depth, mm.
@@ -264,8 +295,8 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
   options.fine_half_width =
       extended(options.fine_half_width, patch.half_width + (pressed_apart ? 0.8 : 0.25) * depth);
   set_depths(extent * depth, options);
-  const double first = first_row(scene, patch);
-  if (first > 0.0 && first < h) options = with_thin_rows(first, extent * depth, options);
+  const double first = chosen_row(scene, *body.plasticity, body.material.young_modulus, patch);
+  if (first < h) options = with_thin_rows(first, extent * depth, options);
   return options;
 }
 

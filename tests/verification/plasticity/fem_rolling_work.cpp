@@ -28,12 +28,18 @@ Case rolling_case(double friction, double creepage) {
 }
 
 /// Elastic energy of residual stress per mm of the rail, N: -1/2 int s : eps_p over the section,
-/// because it does no work on the total strain. Streamlines are those of 2 x 2 points of a cell.
+/// because it does no work on the total strain. Streamlines are those of 2 x 2 Gauss points of a
+/// cell, which may be less high than wide.
 double stored_energy(const contact::YieldedSection& rail, double cell) {
   double sum = 0.0;
-  for (std::size_t k = 0; k < rail.y.size(); ++k)
+  const auto width = static_cast<std::size_t>(rail.across);
+  for (std::size_t k = 0; k < rail.y.size(); ++k) {
+    const std::size_t upper = k / (2 * width) * 2 * width;  // of the row of cells
+    const double height = std::sqrt(3.0) * (rail.depth[upper + width] - rail.depth[upper]);
     for (int c = 0; c < 6; ++c)
-      sum -= 0.5 * (c < 3 ? 1.0 : 2.0) * rail.stress[k][c] * rail.strain[k][c] * 0.25 * cell * cell;
+      sum -=
+          0.5 * (c < 3 ? 1.0 : 2.0) * rail.stress[k][c] * rail.strain[k][c] * 0.25 * cell * height;
+  }
   const bool half = *std::min_element(rail.y.begin(), rail.y.end()) > 0.0;
   return half ? 2.0 * sum : sum;
 }
