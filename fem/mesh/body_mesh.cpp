@@ -147,9 +147,10 @@ bool refine_once(const SurfaceShape& shape, const BodyOptions& options, Triangul
   for (const auto& cell : mesh.active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     ChartBox box = chart_box(shape, cell);
-    for (auto* corner : {&box.lower, &box.upper}) (*corner)[2] = options.rows.even((*corner)[2]);
+    // Thin rows are as long and wide as others; cells of sections beside them have no rows.
     double size = 0.0;
     for (unsigned int d = 0; d < 3; ++d) size = std::max(size, box.upper[d] - box.lower[d]);
+    for (auto* corner : {&box.lower, &box.upper}) (*corner)[2] = options.rows.even((*corner)[2]);
     const double distance = distance_to_fine_region(options, box);
     if (size <= 1.001 * (options.cell_size + options.growth * distance)) continue;
     cell->set_refine_flag();

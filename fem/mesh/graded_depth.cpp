@@ -44,8 +44,7 @@ GradedDepth::GradedDepth(double first, double cell, int at_once) : step_(at_once
 }
 
 double GradedDepth::depth(double even) const {
-  if (equal_rows()) return even;
-  if (even < 0.0) return even * pieces_.front().stretch;
+  if (equal_rows() || even < 0.0) return even;
   const auto k = static_cast<std::size_t>(
       std::min(std::floor(even / step_), static_cast<double>(pieces_.size() - 1)));
   const Piece& piece = pieces_[k];
@@ -54,8 +53,7 @@ double GradedDepth::depth(double even) const {
 }
 
 double GradedDepth::even(double depth) const {
-  if (equal_rows()) return depth;
-  if (depth < 0.0) return depth / pieces_.front().stretch;
+  if (equal_rows() || depth < 0.0) return depth;
   std::size_t k = 0;
   while (k + 1 < pieces_.size() && pieces_[k + 1].depth <= depth) ++k;
   const Piece& piece = pieces_[k];

@@ -18,7 +18,7 @@ class GradedDepth {
   /// largest cells cover.
   GradedDepth(double first, double cell, int at_once);
 
-  /// mm, and its inverse; both go on linearly above the surface.
+  /// mm, and its inverse; the same above the surface.
   double depth(double even) const;
   double even(double depth) const;
   /// Height of a row there relative to that of equal rows.
