@@ -4,7 +4,6 @@
 // patch, and finite elements then transmit some per cent more at the same creepage.
 #include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
-#include "fem/fem_options.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
@@ -28,8 +27,8 @@ Case case_b(double cell = coarse) {
 }
 
 ModelResult finite_elements(const Case& input) {
-  return fem::run_level(input, {*input.options.of<fem::FemOptions>().cell_size, "", false, nullptr},
-                        {});
+  const double cell = input.options.of<fem::FemOptions>().cell_size.value();
+  return fem::run_level(input, {cell, "", false, nullptr}, {});
 }
 
 ModelResult half_space(const Case& input) {
