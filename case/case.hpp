@@ -327,7 +327,8 @@ struct Case {
   /// Whether wheel and rail are given by profiles: the case is not solved directly but converted
   /// into scenes.
   bool has_profiles() const { return !wheel.profile.name.empty() || !rail.profile.name.empty(); }
-  /// Whether wheel or rail yields: each entry of rolling.creepages is then a pass.
+  /// Whether wheel or rail yields: each entry of rolling.creepages is then a pass, or a step of a
+  /// shift.
   bool yields() const { return wheel.plasticity || rail.plasticity; }
   /// Whether the position of the wheel is given instead of its load.
   bool sinks() const { return load.approach || !wheelset.height.empty(); }

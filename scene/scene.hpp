@@ -95,8 +95,8 @@ struct Scene {
   /// mu of the law, also for frictionless problems.
   double friction_coefficient() const { return coefficient_of(friction_law); }
   bool has_profiles() const { return geometry.has_profiles(); }
-  /// Whether a body yields: the load points are then passes, each over the state that the one
-  /// before has left.
+  /// Whether a body yields: the load points are then passes, or steps of a shift, each over the
+  /// state that the one before has left.
   bool yields() const { return wheel.plasticity || rail.plasticity; }
   /// Whether inertia of wheel and rail is included.
   bool feels_inertia() const { return inertia && speed > 0.0; }

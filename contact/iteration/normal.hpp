@@ -12,7 +12,7 @@ namespace rollfem::contact {
 
 struct NormalProblem {
   Field undeformed_distance;           ///< h, mm, with any defect of the compliance added
-  std::optional<double> normal_force;  ///< N; exactly one of the two
+  std::optional<double> normal_force;  ///< N, 0: they just touch; exactly one of the two
   std::optional<double> approach;      ///< mm
 };
 

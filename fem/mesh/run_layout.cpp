@@ -275,8 +275,8 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
   options.yields = body.plasticity.has_value();
   if (!options.yields) return options;
   const PatchBox patch = expected_box(scene);
-  const double growth = growth_by_yielding(scene);
-  const double part = body.plasticity->shear_yield_stress() * growth * growth /
+  const double part = body.plasticity->shear_yield_stress() *
+                      std::pow(growth_by_yielding(scene), 2) /
                       PatchSearch(scene).patch().max_pressure;
   const double nu = body.material.poisson_ratio, roundness = patch.smaller() / patch.larger();
   // Plastic flow of the first passes reaches deeper than the elastic stress.
@@ -285,15 +285,11 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
                        (roundness * depth_of_stress(part, nu, false) +
                         (1.0 - roundness) * depth_of_stress(part, nu, true));
   const double h = options.cell_size, extent = options_of(scene).plastic_extent;
-  // Where all below the patch yields, it does in nearly a hemisphere.
-  const bool pressed_apart = growth > 1.0;
   const auto extended = [h, extent](double least, double length) {
     return std::ceil(std::max(least, extent * length) / h - 1e-6) * h;
   };
-  options.fine_half_length =
-      extended(options.fine_half_length, patch.half_length + (pressed_apart ? 0.8 : 0.35) * depth);
-  options.fine_half_width =
-      extended(options.fine_half_width, patch.half_width + (pressed_apart ? 0.8 : 0.25) * depth);
+  options.fine_half_length = extended(options.fine_half_length, patch.half_length + 0.35 * depth);
+  options.fine_half_width = extended(options.fine_half_width, patch.half_width + 0.25 * depth);
   set_depths(extent * depth, options);
   const double first = chosen_row(scene, *body.plasticity, body.material.young_modulus, patch);
   if (first < h) options = with_thin_rows(first, extent * depth, options);
