@@ -130,11 +130,11 @@ class Levels {
   double estimate_seconds() const { return estimate_seconds_; }
   ModelResult take_finest() {
     ModelResult result = std::move(levels_.back());
+    broadcast_points(result);
     for (const contact::YieldedSection& section : result.points.back().yielded)
       result.notes.push_back({fmt::format("{} of the {}", word_of(section.verdict), section.body),
                               verdict_note(section, static_cast<int>(result.points.size()))});
     result.notes.push_back({"bars", note_on_bars(2.0 * cell_, cell_, beside_half_spaces_)});
-    broadcast_points(result);
     return result;
   }
 
