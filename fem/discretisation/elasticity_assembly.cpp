@@ -43,9 +43,11 @@ void CellStiffness::integrate() {
     for (unsigned int r = 0; r < n; ++r) {
       const double left = values_.JxW(q) * gradients_[r];
       double* const row = &products_[r * n];
-      for (unsigned int c = 0; c < n; ++c) row[c] += left * gradients_[c];
+      for (unsigned int c = r; c < n; ++c) row[c] += left * gradients_[c];
     }
   }
+  for (unsigned int r = 1; r < n; ++r)
+    for (unsigned int c = 0; c < r; ++c) products_[r * n + c] = products_[c * n + r];
 }
 
 void CellStiffness::project_dilatation() {

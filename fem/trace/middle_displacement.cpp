@@ -143,16 +143,15 @@ class Column {
   std::vector<Unknown> unknowns_;
 };
 
-double sinc(double x) {
-  return x == 0.0 ? 1.0 : std::sin(x) / x;
-}
-
 /// The same for the half-space (Cerruti and Boussinesq in wave numbers: 1/(G k) times 1 - nu k_x^2
 /// / k^2, 1 - nu k_y^2/k^2, -nu k_x k_y/k^2 and 1 - nu): the wave on the elements is a sum of
 /// waves, each with the same factor in the mean as in the load.
 ElementResponse halfspace_response(const Lattice& lattice, double along_x, double along_y) {
   constexpr int shorter = 60;
+  // A longer phase by whole periods leaves the sine as it is.
+  const double sines = std::pow(std::sin(0.5 * along_x) * std::sin(0.5 * along_y), 2);
   const double nu = lattice.material.poisson_ratio;
+  const double shear_modulus = contact::shear_modulus(lattice.material);
   const double element_x = lattice.cells * lattice.cell_size[0];
   const double element_y = lattice.cells * lattice.cell_size[1];
   ElementResponse sum;
@@ -162,12 +161,11 @@ ElementResponse halfspace_response(const Lattice& lattice, double along_x, doubl
       const double y = along_y + 2.0 * contact::pi * n;
       const double kx = x / element_x;
       const double ky = y / element_y;
-      const double k = std::hypot(kx, ky);
-      const double weight = std::pow(sinc(0.5 * x) * sinc(0.5 * y), 2) /
-                            (contact::shear_modulus(lattice.material) * k);
-      sum.xx += weight * (1.0 - nu * kx * kx / (k * k));
-      sum.yy += weight * (1.0 - nu * ky * ky / (k * k));
-      sum.xy -= weight * nu * kx * ky / (k * k);
+      const double square = kx * kx + ky * ky;
+      const double weight = 16.0 * sines / (x * x * y * y * shear_modulus * std::sqrt(square));
+      sum.xx += weight * (1.0 - nu * kx * kx / square);
+      sum.yy += weight * (1.0 - nu * ky * ky / square);
+      sum.xy -= weight * nu * kx * ky / square;
       sum.nn += weight * (1.0 - nu);
     }
   return sum;
