@@ -38,6 +38,8 @@ void set_defaults() {
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
   setenv("OMP_WAIT_POLICY", "passive", 0);
   setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
+  // A process without mpirun needs no daemon of its own to start others.
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   if (const char* const kernels = openblas_kernels()) setenv("OPENBLAS_CORETYPE", kernels, 0);
 }
 
@@ -48,8 +50,9 @@ void* open_library() {
   for (const auto& folder :
        {program / ".." / "fem", program / ".." / ROLLFEM_LIBDIR, code / ".." / "fem", code}) {
     const std::filesystem::path file = folder / ROLLFEM_FEM_LIBRARY;
-    // Global symbols: MPI and PETSc open plug-ins at run time that look for them.
-    if (void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL)) return library;
+    // Global symbols: MPI and PETSc open plug-ins at run time that look for them. Lazy: to look up
+    // all 140 000 functions, of which few are called, takes 0.15 s.
+    if (void* library = dlopen(file.c_str(), RTLD_LAZY | RTLD_GLOBAL)) return library;
     problems += fmt::format("\n  {}", dlerror());
   }
   throw contact::InputError(
