@@ -52,8 +52,10 @@ Passes passes_over(const RolledBody& slab, double load, double friction = 0.0) {
 }
 
 /// With a first row of this height, half-widths; 0: equal rows.
-std::unique_ptr<RolledBody> slab_with_rows(int per_half_width, double first_row) {
+std::unique_ptr<RolledBody> slab_with_rows(int per_half_width, double first_row,
+                                           double extent = 10.0) {
   SlabOptions options;
+  options.extent = extent;
   options.per_half_width = per_half_width;
   options.first_row = first_row;
   return rolled_slab(options);
@@ -127,13 +129,13 @@ TEST(PlasticLineContact, ShearThatNoResidualStressChangesFollowsTheShakedownMap)
 
 // A first row of a/50 puts the first point 0.0031 a deep, where the shear is 0.6 % less.
 TEST(PlasticLineContact, ThinRowsFollowTheMapAtTheSurface) {
-  const auto slab = slab_with_rows(8, 0.02);
+  const auto slab = slab_with_rows(8, 0.02, 20.0);
   EXPECT_NEAR(melan_limit(*slab, 0.4), 2.5, 0.01 * 2.5);
   EXPECT_NEAR(melan_limit(*slab, 0.0), 4.0, 0.01 * 4.0);
 }
 
 // On cells of a/8 the strain at the first points is 8 % less than on cells of a/16 in the first
-// pass, and 24 % in the third; with thin rows as on a/16, for 14 % more unknowns. The forward flow
+// pass, and 24 % in the third; with thin rows as on a/16, for 15 % more unknowns. The forward flow
 // is within 1 % on all of them.
 TEST(PlasticLineContact, ThinRowsSeeTheStrainOfTheSurface) {
   const SurfaceFlow thin = surface_flow(8, 0.02), coarse = surface_flow(8, 0.0),
@@ -142,7 +144,7 @@ TEST(PlasticLineContact, ThinRowsSeeTheStrainOfTheSurface) {
   EXPECT_NEAR(thin.third_pass, fine.third_pass, 0.03 * fine.third_pass);
   EXPECT_LT(coarse.first_pass, 0.95 * fine.first_pass);
   EXPECT_LT(coarse.third_pass, 0.8 * fine.third_pass);
-  EXPECT_LT(thin.unknowns, 1.15 * coarse.unknowns);
+  EXPECT_LT(thin.unknowns, 1.16 * coarse.unknowns);
   EXPECT_NEAR(thin.forward, fine.forward, 0.02 * fine.forward);
 }
 
