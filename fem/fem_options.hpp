@@ -37,6 +37,7 @@ struct FemOptions {
   PassPressure pass_pressure = PassPressure::yielding;
   bool limit_state = false;     ///< passes approach the state that repeats by extrapolation
   double plastic_extent = 1.0;  ///< of the streamlines that may yield, relative to the usual one
+  std::optional<double> surface_layer;  ///< mm, height of the cells at a surface that yields
 };
 
 inline const FemOptions& options_of(const contact::Scene& scene) {

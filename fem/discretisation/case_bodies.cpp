@@ -130,7 +130,7 @@ CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
     if (!own.rows.equal_rows())
       contact::add_note(bodies.notes, "surface_layer_" + key,
                         "the {} flows at the surface: its cells are {:.2g} mm high there, and grow "
-                        "to {:.4g} mm at a depth of {:.2g} mm",
+                        "to {:.4g} mm at a depth of {:.2g} mm ([fem] surface_layer)",
                         key, own.rows.depth(own.cell_size), own.cell_size,
                         own.rows.depth(own.rows.reach()));
     if (file.empty() && sections) return section_body(scene, shape, material, own, communicator);

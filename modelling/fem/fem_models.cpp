@@ -119,6 +119,11 @@ void add_passes(FemKeys& keys) {
   keys.add("plastic_extent", &FemOptions::plastic_extent, between(0.5, 10.0),
            "Extent of the region that may yield, relative to the usual one (as deep as "
            "elastic stress exceeds the yield stress); it grows where steel yields at its border.");
+  keys.add("surface_layer", &FemOptions::surface_layer, unit("mm"), contact::zero_or(1e-4, 1e3),
+           otherwise("chosen"),
+           "Height of the cells at the surface of a body that yields; rows below grow to the cell "
+           "size. Chosen where the traction may exceed the yield stress in shear, so thin that the "
+           "strain in the first row is within a tenth of that at the surface; 0: equal rows.");
 }
 
 /// Inertia needs a speed below the Rayleigh wave speed, at which moving loads have no steady
@@ -168,7 +173,8 @@ void complete(const GivenCase& given, Case& input) {
   namespace when = contact::when;
   static const std::vector<contact::Exclusion> exclusions{
       {!when::yields,
-       {"fem.passes", "fem.pass_pressure", "fem.limit_state", "fem.plastic_extent"},
+       {"fem.passes", "fem.pass_pressure", "fem.limit_state", "fem.plastic_extent",
+        "fem.surface_layer"},
        "is for bodies that yield, but this case has none",
        "with [rail_plasticity] or [wheel_plasticity]",
        "add `yield_stress = 520.0` under [rail_plasticity], or remove it"},
