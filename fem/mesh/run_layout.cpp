@@ -291,7 +291,7 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
   options.fine_half_length = extended(options.fine_half_length, patch.half_length + 0.35 * depth);
   options.fine_half_width = extended(options.fine_half_width, patch.half_width + 0.25 * depth);
   set_depths(extent * depth, options);
-  const double first = scene.options.fem.surface_layer.value_or(
+  const double first = options_of(scene).surface_layer.value_or(
       chosen_row(scene, *body.plasticity, body.material.young_modulus, patch));
   if (first > 0.0 && first < h) options = with_thin_rows(first, extent * depth, options);
   return options;
