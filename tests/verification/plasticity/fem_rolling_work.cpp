@@ -78,15 +78,16 @@ TEST(RollingWork, WithoutFrictionGoesIntoFlowAndResidualStress) {
   EXPECT_LT(std::abs(of.missing()), 0.015);
 }
 
-// 0.2 % are missing on cells of a/2.5, 1.2 % on a/3.4: not yet of an order.
+// 1.5 % too much on cells of a/2.5, 0.4 % missing on a/3.4, 1.2 % too much on a/4.5: not yet of an
+// order.
 TEST(RollingWork, InFullSlidingIsSharedByFrictionAndFlow) {
-  const Works of = works(0.2, 0.02, 0.8);
+  const Works of = works(0.2, 0.02, 0.6);
   EXPECT_GT(of.friction, 0.35 * of.rigid);
   EXPECT_GT(of.plastic, 0.35 * of.rigid);
   EXPECT_LT(std::abs(of.missing()), 0.015);
 }
 
-// 2.4 % too much on cells of a/2.5, 0.3 % missing on a/3.4, 0.06 % too much on a/4.5.
+// 3.8 % too much on cells of a/2.5, 0.2 % on a/3.4.
 TEST(RollingWork, InPartialSlipIsSharedByFrictionAndFlow) {
   const Works of = works(0.2, 1e-3, 0.6);
   EXPECT_LT(std::abs(of.missing()), 0.01);
