@@ -104,7 +104,7 @@ SectionWithKeys history_section() {
            "State before a transient: `rest`, or `steady`: the first entry of the lists is steady "
            "rolling, which the others continue.");
   keys.add("normal_force", of_each(&Case::history, &HistoryStep::normal_force), symbol("F_z"),
-           unit("N"), between(0.0, largest_force), otherwise("load.normal_force in all steps"),
+           unit("N"), zero_or(1e-6, largest_force), otherwise("load.normal_force in all steps"),
            "Normal force of each step, instead of [load]; 0 leaves bodies that yield as they are "
            "without load.");
   keys.add("approach", of_each(&Case::history, &HistoryStep::approach), symbol("delta"), unit("mm"),

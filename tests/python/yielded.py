@@ -17,7 +17,7 @@ import numpy as np
 import rollfem
 
 PROGRAM = pathlib.Path(sys.argv[2]).resolve()
-# Coarse: wheel and rail yield below a round patch, slipping in the first and third pass only.
+# Coarse, in equal rows of cells: wheel and rail yield below a round patch, slipping in the first and third pass only.
 CASE = """title = "two bodies that yield"
 models = ["fem"]
 [load]
@@ -43,6 +43,7 @@ longitudinal_creepage = [0.03, 0.001]
 [fem]
 cell_size = 4.0
 passes = 3
+surface_layer = 0.0
 [output]
 body_fields = "last"
 """
