@@ -8,6 +8,7 @@
 #include "base/profile_drop.hpp"
 #include "case/body_plasticity.hpp"
 #include "case/fall_shape.hpp"
+#include "case/irregularities.hpp"
 #include "case/model_options.hpp"
 #include "case/track.hpp"
 
@@ -35,6 +36,8 @@ struct Body {
 /// Upper body (1): a surface of revolution about the axle.
 struct Wheel : Body {
   double rolling_radius = 0.0;  ///< mm, radius at the running circle
+  std::optional<WheelFlat> flat;
+  std::optional<WheelPolygon> polygon;
 };
 
 /// Lower body (2): a straight extruded rail, or a roller.
@@ -42,6 +45,8 @@ struct Rail : Body {
   /// mm, radius of its surface at z = 0: inf straight, > 0 a roller below the wheel, < 0 a ring
   /// around it.
   double rolling_radius = infinity;
+  std::optional<RailCorrugation> corrugation;
+  std::optional<RailDip> dip;
 };
 
 enum class ContactShape {

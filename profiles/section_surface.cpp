@@ -332,12 +332,20 @@ SurfacePoint SectionSurface::at(double way, double parameter) const {
   SurfacePoint point;
   coordinate(y_, point.y, point.y_way, point.y_across);
   coordinate(z_, point.z, point.z_way, point.z_across);
+  if (irregularity_.height) {
+    const contact::CurveValue added = irregularity_.height(way);
+    point.y += outwards_[0] * added.value;
+    point.z += outwards_[1] * added.value;
+    point.y_way += outwards_[0] * added.slope;
+    point.z_way += outwards_[1] * added.slope;
+  }
   return point;
 }
 
 ProfileCurve SectionSurface::section(double way) const {
   const auto along = contact::piece_of(way_, known_way(way));
   const std::size_t step = parameter_.size();
+  const double added = irregularity_.height ? irregularity_.height(way).value : 0.0;
   std::vector<ProfileKnot> knots;
   for (std::size_t j = 0; j < step; ++j) {
     if (!exists(way, parameter_[j])) continue;
@@ -346,9 +354,9 @@ ProfileCurve SectionSurface::section(double way) const {
       return contact::hermite(along.length, along.part, values[a], values[b], slopes[a], slopes[b])
           .value;
     };
-    knots.push_back({parameter_[j], between(y_.value, y_.value_way),
-                     between(z_.value, z_.value_way), between(y_.across, y_.across_way),
-                     between(z_.across, z_.across_way)});
+    knots.push_back({parameter_[j], between(y_.value, y_.value_way) + outwards_[0] * added,
+                     between(z_.value, z_.value_way) + outwards_[1] * added,
+                     between(y_.across, y_.across_way), between(z_.across, z_.across_way)});
   }
   return ProfileCurve(std::move(knots));
 }
@@ -382,6 +390,13 @@ SectionSurface SectionSurface::moved(double angle, double y, double z) const {
   turn(&Nodes::value, y, z);
   for (const auto list : {&Nodes::across, &Nodes::value_way, &Nodes::across_way})
     turn(list, 0.0, 0.0);
+  result.outwards_ = {c * outwards_[0] - s * outwards_[1], s * outwards_[0] + c * outwards_[1]};
+  return result;
+}
+
+SectionSurface SectionSurface::with(Irregularity irregularity) const {
+  SectionSurface result = *this;
+  result.irregularity_ = std::move(irregularity);
   return result;
 }
 

@@ -8,6 +8,7 @@
 // them.
 #pragma once
 
+#include "profiles/irregularity.hpp"
 #include "profiles/profile_curve.hpp"
 
 #include <array>
@@ -70,6 +71,9 @@ class SectionSurface {
   bool height(double way, double y, double start, SurfaceHeight& found) const;
   /// Rotated and shifted in the plane of the sections, as ProfileCurve::moved.
   SectionSurface moved(double angle, double y, double z) const;
+  /// With this height added to z of every point, before later moves; instead of another one.
+  SectionSurface with(Irregularity irregularity) const;
+  const Irregularity& irregularity() const { return irregularity_; }
 
   bool has_parameter(double parameter) const {
     return parameter >= parameter_.front() && parameter <= parameter_.back();
@@ -103,6 +107,8 @@ class SectionSurface {
   Nodes y_, z_;
   /// From which way to which the part of each node exists; empty where all do everywhere.
   std::vector<std::array<double, 2>> presence_;
+  Irregularity irregularity_;
+  std::array<double, 2> outwards_{0.0, 1.0};  ///< y and z of the direction in which it is added
 };
 
 }  // namespace rollfem::profiles

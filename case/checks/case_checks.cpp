@@ -6,6 +6,7 @@
 #include "base/pi.hpp"
 #include "base/profile_drop.hpp"
 #include "case/checks/case_rules.hpp"
+#include "case/checks/irregularity_checks.hpp"
 #include "case/keys/case_text.hpp"
 
 #include <fmt/format.h>
@@ -513,11 +514,15 @@ void complete(const GivenCase& given, Case& input) {
       auto& residual = body->plasticity->residual;
       extend({&residual.depth, &residual.along, &residual.across});
     }
+  if (auto& waves = input.wheel.polygon) extend({&waves->order, &waves->amplitude, &waves->phase});
+  if (auto& waves = input.rail.corrugation)
+    extend({&waves->wavelength, &waves->amplitude, &waves->phase});
   for (const Section& section : case_sections())
     if (section.complete != nullptr) section.complete(given, input);
 }
 
 void check_values(const GivenCase& given, const Case& input) {
+  check_irregularities(given, input);
   if (input.wheel.plasticity) check_plasticity(given, "wheel", *input.wheel.plasticity);
   if (input.rail.plasticity) check_plasticity(given, "rail", *input.rail.plasticity);
   check_unloaded_steps(given, input);

@@ -107,6 +107,11 @@ inline Condition sections(const char* body) {
 }
 inline const Condition rail_sections = sections("rail");
 inline const Condition wheel_sections = sections("wheel");
+/// The body changes along its way.
+inline const Condition rail_varies =
+    rail_sections || any_of("rail_corrugation") || any_of("rail_dip");
+inline const Condition wheel_varies =
+    wheel_sections || any_of("wheel_flat") || any_of("wheel_polygon");
 inline const Condition yields = any_of("wheel_plasticity") || any_of("rail_plasticity");
 inline const Condition layer = has("layer", "thickness") || has("layer", "shear_modulus");
 

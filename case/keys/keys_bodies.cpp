@@ -74,6 +74,19 @@ SectionWithKeys rail_section() {
   return keys;
 }
 
+/// Of a section without which the body lacks this part.
+template <class Part, class Body, class Member>
+Place<Part> optional_part(Body Case::*body, Member member) {
+  return {[=](const Case& c) {
+            const std::optional<Part>& part = c.*body.*member;
+            return part ? &*part : nullptr;
+          },
+          [=](Case& c) -> Part& {
+            std::optional<Part>& part = c.*body.*member;
+            return part ? *part : part.emplace();
+          }};
+}
+
 /// A list with one number for each back stress.
 Access<BodyPlasticity> of_back_stresses(double BodyPlasticity::BackStress::*member) {
   return {[member](const BodyPlasticity& steel) -> KeyValue {
@@ -128,14 +141,7 @@ SectionWithKeys plasticity_section(const std::string& name, Body Case::*body) {
   using Steel = BodyPlasticity;
   Keys<Steel> keys(name + "_plasticity",
                    "Steel of the " + name + " that yields (model fem, docs/plasticity.md)",
-                   {[body](const Case& c) {
-                      const auto& steel = (c.*body).plasticity;
-                      return steel ? &*steel : nullptr;
-                    },
-                    [body](Case& c) -> Steel& {
-                      auto& steel = (c.*body).plasticity;
-                      return steel ? *steel : steel.emplace();
-                    }});
+                   optional_part<Steel>(body, &Body::plasticity));
   keys.section().alternatives = true;
   const auto each = per("back stresses in [" + keys.section().name + "]");
   keys.add("yield_stress", &Steel::yield_stress, symbol("sigma_y"), unit("MPa"), positive(),
@@ -259,6 +265,113 @@ SectionWithKeys profile_section(const std::string& name, Body Case::*body) {
   return keys;
 }
 
+// Irregularities of profiles along the way (docs/profiles.md).
+
+template <class Part, class Body>
+Keys<Part> irregularity(const std::string& name, const std::string& sentence, Body Case::*body,
+                        std::optional<Part> Body::*part) {
+  Keys<Part> keys(name, sentence, optional_part<Part>(body, part));
+  keys.section().alternatives = true;
+  keys.section().of_profiles = true;
+  return keys;
+}
+
+constexpr double most_deep = 50.0, most_amplitude = 10.0;  // mm
+const char* const with_section = "required with this section";
+
+SectionWithKeys flat_section() {
+  using Flat = WheelFlat;
+  Keys<Flat> keys =
+      irregularity("wheel_flat", "A flat of the wheel, with profiles (docs/profiles.md)",
+                   &Case::wheel, &Wheel::flat);
+  keys.add("shape", &Flat::shape,
+           {{"chord", Flat::Shape::chord}, {"rounded", Flat::Shape::rounded}}, otherwise("`chord`"),
+           "`chord`: a new flat, plane along the wheel, of `depth` or `length`; `rounded`: a worn "
+           "one, one wave of a cosine, of both.");
+  keys.add("depth", &Flat::depth, symbol("d"), unit("mm"), between(smallest, most_deep),
+           otherwise("of a chord, that of its length"), "Depth in the middle.");
+  keys.add(
+      "length", &Flat::length, symbol("L"), unit("mm"), between(0.1, largest),
+      otherwise("of a chord, that of its depth"),
+      "Length around the running circle; of a chord, straight and before its ends are rounded.");
+  keys.add("edge_radius", &Flat::edge_radius, unit("mm"), zero_or(smallest_radius, largest),
+           otherwise("0"),
+           "Radius of the arcs that round the ends of a chord, smaller than the wheel's; 0: sharp "
+           "edges.");
+  keys.add(
+      "angle", &Flat::angle, unit("rad"), within(1e3), otherwise("0"),
+      "Angle of its middle about the axle: it is below the axle where wheel_angle is the same.");
+  return keys;
+}
+
+/// The lists of waves that another one counts.
+template <class Part, class Counted>
+void add_waves(Keys<Part>& keys, const Counted& counted, const std::string& at_zero) {
+  const auto each = per("waves in [" + keys.section().name + "]");
+  counted(each);
+  keys.add("amplitude", &Part::amplitude, each, symbol("A"), unit("mm"),
+           zero_or(1e-9, most_amplitude), otherwise(with_section),
+           "Amplitude, half the height from trough to crest; 0: none.");
+  keys.add("phase", &Part::phase, each, unit("rad"), within(1e3), otherwise("0"),
+           "Phase: at 0 a crest is at " + at_zero + ", a larger one shifts it forward.");
+}
+
+SectionWithKeys polygon_section() {
+  Keys<WheelPolygon> keys = irregularity(
+      "wheel_polygon", "A wheel that is out of round, with profiles (docs/profiles.md)",
+      &Case::wheel, &Wheel::polygon);
+  add_waves(
+      keys,
+      [&](const auto& each) {
+        keys.add("order", &WheelPolygon::order, each, counts, symbol("n"), between(1.0, 1000.0),
+                 otherwise(with_section),
+                 "Waves around the wheel, a whole number: the radius grows by A cos(n angle - "
+                 "phase). A list is a sum "
+                 "of such waves.");
+      },
+      "the angle 0");
+  return keys;
+}
+
+SectionWithKeys corrugation_section() {
+  using Waves = RailCorrugation;
+  Keys<Waves> keys =
+      irregularity("rail_corrugation", "Waves of the rails, with profiles (docs/profiles.md)",
+                   &Case::rail, &Rail::corrugation);
+  add_waves(
+      keys,
+      [&](const auto& each) {
+        keys.add(
+            "wavelength", &Waves::wavelength, each, counts, symbol("lambda"), unit("mm"),
+            between(2.0, largest), otherwise(with_section),
+            "Wavelength: the rail rises by A cos(2 pi position/lambda - phase). A list is a sum of "
+            "such waves.");
+      },
+      "the position 0");
+  keys.add(
+      "extent", &Waves::extent, unit("mm"), within(largest), otherwise("everywhere"),
+      "Positions between which the waves are; they grow and fade over the longest wavelength.");
+  return keys;
+}
+
+SectionWithKeys dip_section() {
+  Keys<RailDip> keys = irregularity(
+      "rail_dip", "A dipped weld or joint of the rails, with profiles (docs/profiles.md)",
+      &Case::rail, &Rail::dip);
+  keys.add("position", &RailDip::position, unit("mm"), within(largest), otherwise("0"),
+           "Position of its middle along the track.");
+  keys.add("depth", &RailDip::depth, symbol("d"), unit("mm"), zero_or(smallest, most_deep),
+           otherwise(with_section), "Depth in the middle.");
+  keys.add("length", &RailDip::length, symbol("L"), unit("mm"), between(1.0, largest),
+           otherwise(with_section),
+           "Length, from end to end, where it leaves the rail without a kink.");
+  keys.add("angle", &RailDip::angle, symbol("2 alpha"), unit("rad"), between(0.0, 0.5),
+           otherwise("0"),
+           "Angle between the rails at a joint in the middle: 8 d/L with parabolas, at most 12 "
+           "d/L; 0: a weld, smooth.");
+  return keys;
+}
+
 }  // namespace
 
 Sections body_sections() {
@@ -267,6 +380,10 @@ Sections body_sections() {
           geometry_section(),
           profile_section("wheel", &Case::wheel),
           profile_section("rail", &Case::rail),
+          flat_section(),
+          polygon_section(),
+          corrugation_section(),
+          dip_section(),
           plasticity_section("wheel", &Case::wheel),
           plasticity_section("rail", &Case::rail)};
 }

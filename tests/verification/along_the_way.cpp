@@ -135,11 +135,13 @@ TEST(AlongTheWay, PolygonHasTheCurvatureOfItsCrestAndTrough) {
         return amplitude * std::cos(order * angle) - arc(wheel_radius, y);
       },
       sphere_slope, 0.0, turn / 360.0, 361, turn);
-  for (const double sign : {1.0, -1.0}) {
+  for (const auto& [sign, by_key] :
+       {std::pair{1.0, false}, {-1.0, false}, {1.0, true}, {-1.0, true}}) {
     contact::Case input = wheel_case();
     input.wheelset.wheel_angle = {sign > 0.0 ? 0.0 : contact::pi / order};
-    const Found found =
-        solved(input, {profile(sphere, sphere_slope), profile(head, head_slope), wheel, nullptr});
+    if (by_key) input.wheel.polygon = {{{amplitude}, {}}, {order}};
+    const Found found = solved(input, {profile(sphere, sphere_slope), profile(head, head_slope),
+                                       by_key ? nullptr : wheel, nullptr});
     const double radius = wheel_radius + sign * amplitude;
     EXPECT_NEAR(found.placed.contact.place.height, -sign * amplitude, 1e-6);
     EXPECT_NEAR(found.placed.contact.place.x_track, 0.0, 1e-4);
@@ -206,6 +208,153 @@ TEST(AlongTheWay, EqualSectionsAreThePlainProfile) {
                 1e-6 * plain.point.max_pressure);
     expect_alike(equal.point, plain.point, 1e-5);
   }
+}
+
+track::ProfilePair round_pair() {
+  return {profile(sphere, sphere_slope), profile(head, head_slope)};
+}
+
+/// Where the right wheel first touches.
+contact::ContactPlace touched(const contact::Case& input, const track::ProfilePair& pair) {
+  return contacts_of(input, track::make_search_scene(input, pair), false).at(0).place;
+}
+
+TEST(Irregularities, AFlatRollsOnItsEdges) {
+  // Cut by a chord with arcs at its ends, the circle is the sum of a smaller one, cut by a chord,
+  // and a circle of the arc's radius: it stands on the edge of the smaller one.
+  constexpr double depth = 0.6;
+  for (const double arc : {0.0, 40.0, 200.0}) {
+    const double inner = wheel_radius - arc, half = std::acos((inner - depth) / inner);
+    for (const double turned : {-1.2, -0.9, -0.3, 0.1, 0.6, 1.1}) {
+      contact::Case input = wheel_case();
+      input.wheel.flat.emplace();
+      if (arc > 0.0)
+        input.wheel.flat->depth = depth;
+      else
+        input.wheel.flat->length = 2.0 * std::sqrt(depth * (2.0 * wheel_radius - depth));
+      input.wheel.flat->edge_radius = arc;
+      input.wheel.flat->angle = 5.0;
+      const double angle = turned * half, to_edge = std::max(half - std::abs(angle), 0.0);
+      input.wheelset.wheel_angle = {5.0 + angle - 4.0 * contact::pi};
+      const contact::ContactPlace place = touched(input, round_pair());
+      EXPECT_NEAR(place.height, inner * (1.0 - std::cos(to_edge)), 1e-8) << arc << " " << turned;
+      EXPECT_NEAR(place.x_track, std::copysign(inner * std::sin(to_edge), angle), 1e-5)
+          << arc << " " << turned;
+    }
+  }
+}
+
+TEST(Irregularities, ARoundedFlatIsThatOfItsSections) {
+  constexpr double depth = 0.6, length = 60.0, ends = 0.5 * length / wheel_radius;
+  const auto wheel = sections_of(
+      [&](double angle, double y) {
+        const double here = std::min(std::abs(angle), ends);
+        return -0.5 * depth * (1.0 + std::cos(contact::pi * here / ends)) - arc(wheel_radius, y);
+      },
+      sphere_slope, -1.2 * ends, 0.02 * ends, 121);
+  contact::Case input = wheel_case();
+  for (const double turned : {-1.0, 0.0, 0.5}) {
+    input.wheelset.wheel_angle = {turned * ends};
+    input.wheel.flat.reset();
+    const Found listed =
+        solved(input, {profile(sphere, sphere_slope), profile(head, head_slope), wheel, nullptr});
+    input.wheel.flat = {contact::WheelFlat::Shape::rounded, depth, length};
+    const Found by_key = solved(input, round_pair());
+    EXPECT_NEAR(by_key.placed.contact.place.height, listed.placed.contact.place.height, 1e-5);
+    expect_alike(by_key.point, listed.point, 1e-3);
+  }
+}
+
+TEST(Irregularities, CorrugationHasTheCurvatureOfItsCrestAndTrough) {
+  // Of a roller, over its radius.
+  constexpr double amplitude = 0.2, wavelength = 120.0;
+  const double bend = amplitude * std::pow(2.0 * contact::pi / wavelength, 2);
+  for (const double roller : {contact::infinity, 500.0})
+    for (const double sign : {1.0, -1.0}) {
+      contact::Case input = wheel_case();
+      input.rail.rolling_radius = roller;
+      input.rail.corrugation = {
+          {{0.0, amplitude}, {0.0, 1.5 * contact::pi}}, {70.0, wavelength}, {}};
+      input.wheelset.track_position = {wavelength * (sign > 0.0 ? 0.75 : 5.25)};
+      const Found found = solved(input, round_pair());
+      EXPECT_NEAR(found.placed.contact.place.height, -sign * amplitude, 1e-8);
+      EXPECT_NEAR(found.placed.contact.place.x_track, 0.0, 1e-5);
+      const double height = 1.0 + sign * amplitude / roller;
+      const double rail = 1.0 / (roller + sign * amplitude) + sign * bend / (height * height);
+      expect_alike(found.point,
+                   of_curvatures(1.0 / wheel_radius + rail, 1.0 / wheel_radius + 1.0 / head_radius),
+                   1e-3);
+    }
+}
+
+TEST(Irregularities, FadedWavesEndLevelAndAreWholeInside) {
+  contact::Case input = wheel_case();
+  input.rail.corrugation = {{{0.1}, {}}, {100.0}, {{-1000.0, 1000.0}}};
+  for (const auto& [position, height] :
+       {std::pair{0.0, -0.1}, {-900.0, -0.1}, {-950.0, 0.05}, {1100.0, 0.0}, {-1500.0, 0.0}}) {
+    input.wheelset.track_position = {position};
+    // In a trough of a faded wave the lowest place is beside the axle.
+    EXPECT_NEAR(touched(input, round_pair()).height, height, position == -950.0 ? 5e-3 : 1e-8)
+        << position;
+  }
+}
+
+/// How far a wheel sinks into a valley, by brute force.
+double sunk(const std::function<double(double)>& depth, double middle) {
+  double least = contact::infinity;
+  for (double x = -30.0; x < 30.0; x += 1e-3)
+    least = std::min(least, depth(x + middle) + arc(wheel_radius, x));
+  return least;
+}
+
+TEST(Irregularities, AJointIsTouchedOnBothSidesAndAWeldAtItsBottom) {
+  constexpr double depth = 2.0, length = 400.0, half = 0.5 * length;
+  contact::Case input = wheel_case();
+  input.rail.dip = contact::RailDip{10.0, depth, length, 8.0 * depth / length};
+  for (const double position : {10.0, 7.0, 30.0, 150.0, 215.0}) {
+    input.wheelset.track_position = {position};
+    const auto parabolas = [](double x) {
+      return depth * std::pow(std::max(0.0, 1.0 - std::abs(x) / half), 2);
+    };
+    EXPECT_NEAR(touched(input, round_pair()).height, sunk(parabolas, position - 10.0), 1e-7)
+        << position;
+  }
+  // 3 a/length of the bend is missing at the end of the patch.
+  input.rail.dip = contact::RailDip{10.0, 5.0, 1000.0, 0.0};
+  input.wheelset.track_position = {10.0};
+  const Found weld = solved(input, round_pair());
+  EXPECT_NEAR(weld.placed.contact.place.height, 5.0, 1e-8);
+  expect_alike(weld.point,
+               of_curvatures(1.0 / wheel_radius - 6.0 * 5.0 / (500.0 * 500.0),
+                             1.0 / wheel_radius + 1.0 / head_radius),
+               2e-3);
+}
+
+TEST(Irregularities, ACrestOfLongWavesIsARailThatIsHigher) {
+  // Along z of its inclined profile, on both sides.
+  constexpr double amplitude = 0.5;
+  contact::Case raised = manchester_case(2.0, 0.0), moved = raised;
+  raised.wheelset.track_position = {0.0};
+  raised.rail.corrugation = {{{amplitude}, {}}, {1e7}, {}};
+  const double lean = std::atan(raised.track.inclination);
+  const double aside = amplitude * std::sin(lean), up = -amplitude * std::cos(lean);
+  moved.rail_displacement.lateral = {aside, -aside};
+  moved.rail_displacement.vertical = {up, up};
+  for (const bool left : {true, false}) {
+    const auto a = contacts_of(raised, left).at(0).place, b = contacts_of(moved, left).at(0).place;
+    EXPECT_NEAR(a.height, b.height, 1e-7);
+    EXPECT_NEAR(a.roll, b.roll, 1e-10);
+    EXPECT_NEAR(a.y_track, b.y_track, 1e-5);
+    EXPECT_NEAR(a.y_wheel, b.y_wheel, 1e-5);
+  }
+}
+
+TEST(Irregularities, OfNoAmplitudeLeaveTheProfileAsItIs) {
+  contact::Case input = wheel_case();
+  input.wheel.polygon = {{{0.0, 0.0}, {}}, {3.0, 20.0}};
+  input.rail.corrugation = {{{0.0}, {}}, {40.0}, {{0.0, 500.0}}};
+  input.rail.dip = contact::RailDip{0.0, 0.0, 1000.0, 0.0};
+  EXPECT_FALSE(track::make_search_scene(input, round_pair()).varies());
 }
 
 /// A crown about y = -10, a groove, and another crown 5 mm lower about y = 40. The first one begins

@@ -20,9 +20,11 @@ namespace {
 
 /// Between the points of a section from which searches start, mm.
 constexpr double sample_step = 0.5;
-/// Rows to each side, up to this fraction of the wheel's radius.
-constexpr int rows_to_side = 30;
+/// Rows to each side, up to this fraction of the wheel's radius, and rows to the shortest wave of
+/// an irregularity.
+constexpr int fewest_rows_to_side = 30;
 constexpr double farthest_row = 0.25;
+constexpr double rows_to_wave = 8.0;
 
 /// The part of a section that is a height over y.
 struct OverY {
@@ -281,7 +283,14 @@ BodiesAlongWay::BodiesAlongWay(Sections sections, const ProfileCurve& rail,
   all->way = sections_.rail_way;
   all->rolling_radius = sections_.rail_rolling_radius;
   all->axle = sections_.rail_axle;
-  const double step = farthest_row * rolling_radius / rows_to_side;
+  double wave = contact::infinity;
+  if (sections_.rail) wave = sections_.rail->irregularity().shortest;
+  if (sections_.wheel)
+    wave = std::min(wave, rolling_radius * sections_.wheel->irregularity().shortest);
+  const double reach = farthest_row * rolling_radius;
+  const int rows_to_side =
+      std::max(fewest_rows_to_side, static_cast<int>(std::ceil(reach * rows_to_wave / wave)));
+  const double step = reach / rows_to_side;
   for (int k = -rows_to_side; k <= rows_to_side; ++k) {
     const double x = axle.point[0] + k * step;
     if (all->surface || all->rows.empty()) {
@@ -398,6 +407,7 @@ struct BodiesAlongWay::GapAlong {
   /// begins or ends. `bend`: about the change of the slope.
   std::optional<double> lowest(double lower, double start, double upper, double bend) const {
     constexpr double close = 1e-8;  // mm
+    constexpr int rounds_if_smooth = 15;
     double x = start, before = start, slope_before = contact::infinity;
     for (int round = 0; round < 60; ++round) {
       const double here = slope(x);
@@ -414,19 +424,23 @@ struct BodiesAlongWay::GapAlong {
       const double next = x - here / bend;
       if (std::abs(next - x) < close) return next;
       if (upper - lower < close) return x;
-      x = next > lower && next < upper ? next : 0.5 * (lower + upper);
+      // At an edge the slope jumps.
+      x = round < rounds_if_smooth && next > lower && next < upper ? next : 0.5 * (lower + upper);
     }
     return std::isinf(slope_before) ? std::nullopt : std::optional(before);
   }
 
-  /// Rows at which the gap is a local minimum among them.
+  /// Rows at which the gap is a local minimum among them; of equal ones, under a flat, the middle.
   std::vector<std::size_t> low_rows() const {
     std::vector<double> value;
     for (const double x : level.rows) value.push_back(at(x));
     std::vector<std::size_t> low;
-    for (std::size_t k = 1; k + 1 < value.size(); ++k)
-      if (std::isfinite(value[k]) && value[k] < value[k - 1] && value[k] <= value[k + 1])
-        low.push_back(k);
+    constexpr double equal = 1e-10;  // mm
+    for (std::size_t k = 1, last = 1; k + 1 < value.size(); k = ++last) {
+      while (last + 2 < value.size() && std::abs(value[last + 1] - value[k]) < equal) ++last;
+      if (std::isfinite(value[k]) && value[k] < value[k - 1] && value[k] <= value[last + 1])
+        low.push_back((k + last) / 2);
+    }
     return low;
   }
 
@@ -449,13 +463,24 @@ std::optional<LocusPoint> BodiesAlongWay::point_at(const Level& level, double y,
   std::optional<double> best;
   for (const std::size_t k : near) {
     const double lower = level.rows[k - 1], upper = level.rows[k + 1];
-    const bool beside = before != nullptr && before->x > lower && before->x < upper;
-    const auto x = gap.lowest(lower, beside ? before->x : level.rows[k], upper,
-                              1.0 / (beside ? before->relative_radius : rolling_radius_));
+    const bool known = before != nullptr && before->x > lower && before->x < upper;
+    const auto x = gap.lowest(lower, known ? before->x : level.rows[k], upper,
+                              1.0 / (known ? before->relative_radius : rolling_radius_));
     if (x && (!best || gap.at(*x) < gap.at(*best))) best = x;
   }
   if (!best) return {};
-  const SlopedHeight rail = rail_at(level, *best, y), wheel = wheel_at(level.bodies, *best, y);
+  const SlopedHeight rail = rail_at(level, *best, y);
+  SlopedHeight wheel = wheel_at(level.bodies, *best, y);
+  // On an edge of a flat, the mean of both sides with which the gap is level along x: its slope
+  // along the edge.
+  constexpr double level_slope = 1e-6, beside = 1e-6;  // -, mm
+  if (std::abs(wheel.along - rail.along) > level_slope) {
+    const SlopedHeight behind = wheel_at(level.bodies, *best - beside, y);
+    const SlopedHeight ahead = wheel_at(level.bodies, *best + beside, y);
+    const double part = (rail.along - behind.along) / (ahead.along - behind.along);
+    if (part > 0.0 && part < 1.0)
+      wheel.across = behind.across + part * (ahead.across - behind.across);
+  }
   LocusPoint point;
   point.x = *best;
   point.y = level.frame.origin[1] + y;

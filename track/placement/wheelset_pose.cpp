@@ -2,6 +2,7 @@
 #include "track/placement/wheelset_pose.hpp"
 
 #include "base/errors.hpp"
+#include "base/pi.hpp"
 #include "base/root.hpp"
 
 #include <fmt/format.h>
@@ -196,10 +197,27 @@ bool tread_touches(const Case& input, const SearchScene& scene) {
   return false;
 }
 
+profiles::SectionSurface the_same_everywhere(const profiles::ProfileCurve& profile, double turn) {
+  return {{{0.0, profile, {}}, {1.0, profile, {}}}, profiles::SectionSpline::through, turn};
+}
+
+/// Adds an irregularity to the sections of a body or, where it has none, to its profile.
+void add_irregularity(const profiles::Irregularity& irregularity,
+                      const profiles::ProfileCurve& profile, double turn,
+                      std::shared_ptr<const profiles::SectionSurface>& sections) {
+  if (!irregularity.height) return;
+  const auto& plain = sections ? *sections : the_same_everywhere(profile, turn);
+  sections = std::make_shared<const profiles::SectionSurface>(plain.with(irregularity));
+}
+
 }  // namespace
 
 SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
   SearchScene scene;
+  add_irregularity(profiles::irregularity_of(input.wheel), profiles.wheel, 2.0 * contact::pi,
+                   profiles.wheel_sections);
+  add_irregularity(profiles::irregularity_of(input.rail), profiles.rail, 0.0,
+                   profiles.rail_sections);
   scene.tread_y = tread_of(input.wheelset, profiles.wheel);
   scene.wheel = wheel_points(profiles.wheel, scene.tread_y);
   scene.profiles = std::move(profiles);
@@ -220,9 +238,8 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
         rail.surface = std::make_shared<const profiles::SectionSurface>(
             sections->moved(rail.place.angle, rail.place.shift_y, rail.place.shift_z));
       else if (scene.profiles.wheel_sections && std::isfinite(input.rail.rolling_radius))
-        rail.surface = std::make_shared<const profiles::SectionSurface>(
-            std::vector<profiles::PlacedSection>{{0.0, rail.curve, {}}, {1.0, rail.curve, {}}},
-            profiles::SectionSpline::through);
+        rail.surface =
+            std::make_shared<const profiles::SectionSurface>(the_same_everywhere(rail.curve, 0.0));
     }
   };
   const RailPlace found = rail_place(scene.profiles.rail, track, [&](const RailPlace& place) {
