@@ -58,7 +58,9 @@ RidgePoint varying_ridge_point(const contact::PatchGeometry& patch, double y) {
   constexpr double wide = 3.0;  // mm, about the half length of a patch
   const double beside =
       0.5 * (patch.distance(point.x - wide, y) + patch.distance(point.x + wide, y));
-  point.curvature = (beside - point.distance) / (wide * wide);
+  // A flat has none, and a box by its curvature would have no end.
+  constexpr double least = 1e-5;  // 1/mm
+  point.curvature = std::max(least, (beside - point.distance) / (wide * wide));
   if (!std::isfinite(point.curvature)) point.distance = infinity;
   return point;
 }

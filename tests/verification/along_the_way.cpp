@@ -244,6 +244,22 @@ TEST(Irregularities, AFlatRollsOnItsEdges) {
   }
 }
 
+TEST(Irregularities, AFlatThatIsDownTouchesAlongItsLength) {
+  constexpr double length = 50.0;
+  const Height level = [](double, double) { return 0.0; };
+  contact::Case input = wheel_case();
+  input.contact_grid.elements_across = 20;
+  input.wheel.flat.emplace();
+  input.wheel.flat->length = length;
+  const double edge = std::asin(0.5 * length / wheel_radius);
+  const Found found = solved(input, {profile(level, level), profile(head, head_slope)});
+  EXPECT_NEAR(found.placed.contact.place.height, wheel_radius * (1.0 - std::cos(edge)), 1e-8);
+  EXPECT_NEAR(found.placed.contact.place.x_track, 0.0, 2.5);  // a row of the search
+  // Beyond its ends the wheel rises with their slope.
+  EXPECT_GT(found.point.contact_length, length);
+  EXPECT_LT(found.point.contact_length, length + 2.0 * approach / std::sin(edge) + 1.0);
+}
+
 TEST(Irregularities, ARoundedFlatIsThatOfItsSections) {
   constexpr double depth = 0.6, length = 60.0, ends = 0.5 * length / wheel_radius;
   const auto wheel = sections_of(
@@ -251,7 +267,7 @@ TEST(Irregularities, ARoundedFlatIsThatOfItsSections) {
         const double here = std::min(std::abs(angle), ends);
         return -0.5 * depth * (1.0 + std::cos(contact::pi * here / ends)) - arc(wheel_radius, y);
       },
-      sphere_slope, -1.2 * ends, 0.02 * ends, 121);
+      sphere_slope, -1.2 * ends, 0.005 * ends, 481);
   contact::Case input = wheel_case();
   for (const double turned : {-1.0, 0.0, 0.5}) {
     input.wheelset.wheel_angle = {turned * ends};
