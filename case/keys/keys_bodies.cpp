@@ -365,7 +365,7 @@ SectionWithKeys dip_section() {
   keys.add("length", &RailDip::length, symbol("L"), unit("mm"), between(1.0, largest),
            otherwise(with_section),
            "Length, from end to end, where it leaves the rail without a kink.");
-  keys.add("angle", &RailDip::angle, symbol("2 alpha"), unit("rad"), between(0.0, 0.5),
+  keys.add("angle", &RailDip::angle, symbol("2 alpha"), unit("rad"), zero_or(1e-9, 0.5),
            otherwise("0"),
            "Angle between the rails at a joint in the middle: 8 d/L with parabolas, at most 12 "
            "d/L; 0: a weld, smooth.");
