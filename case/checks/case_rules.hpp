@@ -112,6 +112,8 @@ inline const Condition rail_varies =
     rail_sections || any_of("rail_corrugation") || any_of("rail_dip");
 inline const Condition wheel_varies =
     wheel_sections || any_of("wheel_flat") || any_of("wheel_polygon");
+inline const Condition rounded_flat =
+    has("wheel_flat", "shape") && is("wheel_flat", "shape", "rounded");
 inline const Condition yields = any_of("wheel_plasticity") || any_of("rail_plasticity");
 inline const Condition layer = has("layer", "thickness") || has("layer", "shear_modulus");
 

@@ -17,15 +17,6 @@ constexpr double steepest = 0.5;
 /// Of the wheel's radius.
 constexpr double largest_edge = 0.8;
 
-void need(const GivenCase& given, const std::string& path, const char* allowed,
-          const char* example) {
-  const std::size_t dot = path.find('.');
-  if (given.find(path.substr(0, dot), path.substr(dot + 1)) == nullptr)
-    fail_at(given, path, "is missing", allowed,
-            fmt::format("add `{} = {}` under [{}]", path.substr(dot + 1), example,
-                        path.substr(0, dot)));
-}
-
 void check_flat(const GivenCase& given, const WheelFlat& flat, double radius) {
   const std::string depth = "wheel_flat.depth", length = "wheel_flat.length";
   const double shortest_chord = flat.depth ? 2.0 * std::sqrt(2.0 * radius * *flat.depth) : 0.0;
@@ -38,8 +29,6 @@ void check_flat(const GivenCase& given, const WheelFlat& flat, double radius) {
       fail_at(given, "wheel_flat.edge_radius", "is about the wheel's radius or larger",
               fmt::format("arcs of up to {:g} mm", largest_edge * radius), "write a smaller one");
   } else {
-    need(given, depth, "a rounded flat has a depth and a length", "0.5");
-    need(given, length, "a rounded flat has a depth and a length", "60.0");
     if (pi * *flat.depth > steepest * *flat.length)
       fail_at(given, depth, "makes a notch of the flat",
               fmt::format("at most {:.3g} mm with this length", steepest / pi * *flat.length),
@@ -53,7 +42,6 @@ void check_flat(const GivenCase& given, const WheelFlat& flat, double radius) {
 /// `slope`: the steepest of each wave.
 void check_waves(const GivenCase& given, const std::string& section, const Waves& waves,
                  const std::vector<double>& slope) {
-  need(given, section + ".amplitude", "an amplitude of each wave, mm", "0.02");
   double sum = 0.0;
   for (std::size_t k = 0; k < slope.size(); ++k) sum += waves.amplitude[k] * slope[k];
   if (sum > steepest)
@@ -62,7 +50,6 @@ void check_waves(const GivenCase& given, const std::string& section, const Waves
 }
 
 void check_polygon(const GivenCase& given, const WheelPolygon& polygon, double radius) {
-  need(given, "wheel_polygon.order", "how many waves there are around the wheel", "20");
   std::vector<double> slope;
   for (const double order : polygon.order) {
     if (order != std::floor(order))
@@ -74,7 +61,6 @@ void check_polygon(const GivenCase& given, const WheelPolygon& polygon, double r
 }
 
 void check_corrugation(const GivenCase& given, const RailCorrugation& waves) {
-  need(given, "rail_corrugation.wavelength", "the length of each wave, mm", "40.0");
   std::vector<double> slope;
   for (const double length : waves.wavelength) slope.push_back(2.0 * pi / length);
   check_waves(given, "rail_corrugation", waves, slope);
@@ -87,8 +73,6 @@ void check_corrugation(const GivenCase& given, const RailCorrugation& waves) {
 }
 
 void check_dip(const GivenCase& given, const RailDip& dip) {
-  need(given, "rail_dip.depth", "the depth in the middle, mm", "0.5");
-  need(given, "rail_dip.length", "the length from end to end, mm", "1000.0");
   if (3.0 * *dip.depth > steepest * *dip.length)
     fail_at(given, "rail_dip.depth", "makes a gap of the dip",
             fmt::format("at most {:.3g} mm with this length", steepest / 3.0 * *dip.length),

@@ -6,7 +6,7 @@
 
 namespace rollfem::contact {
 
-/// Missing and contradictory numbers, and shapes that are steeper than a surface along which a
+/// Contradictory numbers, and shapes that are steeper than a surface along which a
 /// wheel rolls. Throws InputError.
 void check_irregularities(const GivenCase& given, const Case& input);
 
