@@ -80,12 +80,12 @@ WayHeight rounded_flat(const contact::WheelFlat& flat, double radius) {
 WayHeight faded(WayHeight waves, const std::array<double, 2>& extent, double over) {
   return [=, waves = std::move(waves)](double way) {
     CurveValue height = waves(way);
-    for (const double inside : {way - extent[0], extent[1] - way}) {
-      const double part = std::clamp(inside / over, 0.0, 1.0);
-      const double factor = part * part * (3.0 - 2.0 * part);
-      const double sign = inside == way - extent[0] ? 1.0 : -1.0;
-      height.slope = factor * height.slope + sign * 6.0 * part * (1.0 - part) / over * height.value;
-      height.value *= factor;
+    for (const double sign : {1.0, -1.0}) {
+      const double inside = sign * (way - (sign > 0.0 ? extent[0] : extent[1]));
+      const CurveValue factor =
+          contact::hermite(over, std::clamp(inside / over, 0.0, 1.0), 0.0, 1.0, 0.0, 0.0);
+      height.slope = factor.value * height.slope + sign * factor.slope * height.value;
+      height.value *= factor.value;
     }
     return height;
   };

@@ -221,8 +221,7 @@ std::vector<Quantity> of_the_passes() {
        Scale::value, Use::stored, at<&P::net_plastic_increment>()},
       {"residual_stress", "largest residual compression", "", "MPa",
        "largest compressive residual stress along rolling below the running band after the pass; "
-       "of "
-       "pressed bodies in the section through the middle of the contact",
+       "of pressed bodies in the section through the middle of the contact",
        Scale::value, Use::stored, at<&P::residual_stress>()},
       {"groove_depth", "depth of the groove", "", "mm",
        "deepest place of the groove (imprint) that plastic strain has left in the surface",

@@ -206,8 +206,11 @@ void add_irregularity(const profiles::Irregularity& irregularity,
                       const profiles::ProfileCurve& profile, double turn,
                       std::shared_ptr<const profiles::SectionSurface>& sections) {
   if (!irregularity.height) return;
-  const auto& plain = sections ? *sections : the_same_everywhere(profile, turn);
-  sections = std::make_shared<const profiles::SectionSurface>(plain.with(irregularity));
+  const auto plain =
+      sections
+          ? sections
+          : std::make_shared<const profiles::SectionSurface>(the_same_everywhere(profile, turn));
+  sections = std::make_shared<const profiles::SectionSurface>(plain->with(irregularity));
 }
 
 }  // namespace
