@@ -2,11 +2,11 @@
 // Bodies that yield under a load that presses, up and down in steps, and does not roll: first yield
 // of a ball, mean pressure, elastic unloading and loading again, equal bodies, friction, a run that
 // is resumed.
-#include "base/checkpoint.hpp"
 #include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
 
 #include "support/equal_balls.hpp"
+#include "support/records_in_memory.hpp"
 
 namespace {
 
@@ -169,23 +169,9 @@ TEST(PlasticPressing, ATangentialForceAddsPlasticStrain) {
   EXPECT_GT(*points[1].plastic_increment, 1e-4);
 }
 
-namespace {
-
-/// In memory.
-struct InMemory : contact::Checkpoint {
-  std::map<std::string, std::string> records;
-  std::optional<std::string> find(const std::string& name) override {
-    const auto found = records.find(name);
-    return found == records.end() ? std::nullopt : std::optional(found->second);
-  }
-  void keep(const std::string& name, const std::string& record) override { records[name] = record; }
-};
-
-}  // namespace
-
 TEST(PlasticPressing, ARunThatIsResumedGivesTheSameToTheLastBit) {
   Case input = ball_on_flat({400.0, 200.0, 600.0});
-  InMemory kept;
+  RecordsInMemory kept;
   const fem::LevelOptions options{0.25, "", false, &kept};
   const PointResult whole = fem::run_level(input, options, {}).points.back();
   kept.records.erase("fem-0.25mm-0003");
