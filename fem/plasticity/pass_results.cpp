@@ -211,20 +211,15 @@ double imprint_of(const YieldedSection& section) {
   return -*std::min_element(section.groove.begin(), section.groove.end());
 }
 
-/// The strain of a cycle by which a verdict is judged.
-double decisive(const YieldedSection& section) {
-  return section.verdict == YieldVerdict::ratchetting ? section.cycle_net_increment
-                                                      : section.cycle_increment;
-}
-
 YieldEvidence evidence_of(const YieldedSection& coarse, const YieldedSection& fine) {
   constexpr double about = 0.3;  // relative change between the meshes
   const bool flows =
       fine.verdict == YieldVerdict::ratchetting || fine.verdict == YieldVerdict::settling ||
       fine.verdict == YieldVerdict::beyond_shakedown || fine.verdict == YieldVerdict::yields;
-  const double here = decisive(fine);
-  const double there = fine.verdict == YieldVerdict::ratchetting ? coarse.cycle_net_increment
-                                                                 : coarse.cycle_increment;
+  const auto decisive = fine.verdict == YieldVerdict::ratchetting
+                            ? &YieldedSection::cycle_net_increment
+                            : &YieldedSection::cycle_increment;
+  const double here = fine.*decisive, there = coarse.*decisive;
   if (flows && std::abs(here - there) > about * std::max(here, there))
     return YieldEvidence::not_resolved;
   return coarse.verdict == fine.verdict ? YieldEvidence::both_meshes : YieldEvidence::meshes_differ;

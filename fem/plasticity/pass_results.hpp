@@ -58,7 +58,8 @@ class PassResults {
 void sum_up(contact::PointResult& point);
 
 /// The load over the limit of shakedown of steel that does not harden, from the deviatoric strain
-/// of elastic bodies at all points. Steady residual stress balances everything but xz, whose limit
+/// of elastic bodies at all points, which may include one along and across that is the same along a
+/// streamline. Steady residual stress balances everything but xz, whose limit
 /// is k, and changes no difference between two instants, whose von Mises stress may be 2 sqrt(3) k
 /// (Melan).
 double shakedown_load(const PlasticLaw& law, const Streamlines& streamlines,

@@ -122,10 +122,8 @@ class YieldingBody {
   }
 
   /// Solves the pass in question anew, from its last solution.
-  PassReport pass(const Vector& elastic, bool counts, double* shakedown = nullptr) {
-    std::vector<Deviator> strain = streamlines_.strains(elastic);
-    if (shakedown != nullptr) *shakedown = shakedown_load(law_, streamlines_, strain);
-    strain = with_initial(std::move(strain));
+  PassReport pass(const Vector& elastic, bool counts) {
+    std::vector<Deviator> strain = with_initial(streamlines_.strains(elastic));
     YieldedBody next = now_;
     next.leaving = before_.leaving;
     next.strain = before_.strain;
@@ -141,12 +139,12 @@ class YieldingBody {
 
   /// `traction`: the largest one along rolling, MPa, which is xz at the surface.
   contact::YieldedSection finish(const Vector& elastic, double traction) {
-    double load = 0.0;
-    const PassReport report = pass(elastic, true, &load);
+    const PassReport report = pass(elastic, true);
     refuse_beyond_streamlines();
     contact::YieldedSection section = results_.after_pass(report, before_, now_);
     if (!now_.pressed())
-      section.shakedown_load = std::max(load, traction / law_.parameters().shear_yield_stress());
+      section.shakedown_load = std::max(shakedown_load(law_, streamlines_, last_strain_),
+                                        traction / law_.parameters().shear_yield_stress());
     before_ = now_;
     if (extrapolates_ && results_.cycle_ended())
       limit_.approach(residual_behind_load(), before_.leaving);

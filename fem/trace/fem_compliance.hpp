@@ -45,8 +45,6 @@ class SurfaceCoupling {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// Far boundary of the segments (far_field.hpp).
-
 class FemCompliance : public contact::Compliance {
  public:
   /// Both null: a rigid body, without contribution.
