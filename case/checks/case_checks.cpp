@@ -473,7 +473,12 @@ void check_places(const GivenCase& given, const Case& input, bool bodies) {
 }
 
 void complete(const GivenCase& given, Case& input) {
-  const Problem problem = input.rolling.problem;
+  Problem& problem = input.rolling.problem;
+  if (problem == Problem::frictionless && !input.history.empty()) {
+    problem = Problem::shift;  // pressed in steps
+    input.friction_coefficient = 0.0;
+    input.friction_variation = {};
+  }
   if (problem == Problem::shift || problem == Problem::transient)
     input.history.resize(input.rolling.creepages.size(),
                          input.history.empty() ? HistoryStep{} : input.history.front());

@@ -49,7 +49,8 @@ void add_problem(RollingKeys& keys) {
            words_of({Problem::steady, Problem::shift, Problem::transient, Problem::frictionless}),
            "`steady`: steady rolling, each load point separately; `shift`: pressing and shifting "
            "without rolling (Cattaneo), `transient`: rolling, both in steps, each from the "
-           "previous state; `frictionless`: the normal problem alone.");
+           "previous state; `frictionless`: the normal problem alone, with loads in [history] in "
+           "steps as `shift`.");
   keys.add("longitudinal_force", of_each(&Rolling::forces, &PrescribedForce::longitudinal),
            symbol("F_x"), unit("N"), or_nan(within(largest_force)),
            otherwise("creepage or shift applies"),
@@ -83,10 +84,11 @@ struct Shift {
 };
 
 SectionWithKeys history_section() {
-  Keys<Case> keys("history",
-                  "Steps of the problems `shift` and `transient`, one list entry per step; a shift "
-                  "is relative to the previous step",
-                  whole_case());
+  Keys<Case> keys(
+      "history",
+      "Steps of the problems `shift` and `transient`, and of `frictionless` (loads alone), "
+      "one list entry per step; a shift is relative to the previous step",
+      whole_case());
   keys.section().alternatives = true;
   keys.add(KeyKind::integer, "steps",
            Access<Case>{[](const Case& c) {

@@ -108,6 +108,13 @@ def test_loads_of_steps_are_solved_on_the_grid_of_the_largest(points):
     assert values(found, "normal_force")[0] == pytest.approx([1e3, 3e4, 2e4], rel=1e-6)
 
 
+def test_loads_without_friction_are_steps_that_nothing_shifts(points):
+    loads = EIGHT | {"load.normal_force": None, "history.normal_force": [1e3, 3e4, 2e4], "contact_grid.elements_across": 10}
+    without, none = (points(loads | {"rolling.problem": problem, "friction.coefficient": mu})
+                     for problem, mu in (("frictionless", 0.3), ("shift", 0.0)))
+    assert values(without, "step", "normal_force", "max_pressure") == values(none, "step", "normal_force", "max_pressure")
+
+
 def test_forces_are_prescribed_at_every_load_point_that_has_one(points):
     found = points(EIGHT | {"rolling.longitudinal_force": [-1e3, -2e3], "rolling.lateral_creepage": 0.001})
     assert values(found, "longitudinal_force")[0] == pytest.approx([-1e3, -2e3], abs=1.0)
