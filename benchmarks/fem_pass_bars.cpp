@@ -3,10 +3,10 @@
 // rails, every sixth of them S1002 near the gauge corner of 60E1, with cells of 1/PARTS of the
 // smaller semi-axis against cells of 1/FINER. p0 is 3 to 7 times the yield stress in shear for
 // elastic bodies, friction 0 to 0.5, the steel perfectly plastic, linear, or saturating; of every
-// fifth scene the pressure follows the groove. Prints the table of docs/plasticity.md and to stderr
-// every scene without a result. Call: benchmark_fem_pass_bars PARTS FINER PASSES SEED FIRST NUMBER
-// [rows], e.g. 3 4.5 3 1 0 30. With `rows`, also prints every number: scene, pass, quantity, on
-// cells of twice the size, on the cells, on the finer ones, bar.
+// fifth scene the pressure follows the groove. Prints the table of docs/plasticity.md, and to
+// stderr what every scene is and costs, or why it has no result. Call: benchmark_fem_pass_bars
+// PARTS FINER PASSES SEED FIRST NUMBER [rows], e.g. 3 4.5 3 1 0 30. With `rows`, also prints every
+// number: scene, pass, quantity, on cells of twice the size, on the cells, on the finer ones, bar.
 #include "case/reading/case_reader.hpp"
 #include "fem/elasticity/fem_error_bars.hpp"
 #include "fem/elasticity/run_level.hpp"
@@ -83,8 +83,12 @@ struct Count {
 std::vector<contact::ModelResult> levels_of(contact::Scene scene, std::vector<double> cells) {
   for (int times = 0;; ++times) try {
       std::vector<contact::ModelResult> levels;
-      for (const double cell : cells)
+      for (const double cell : cells) {
+        const contact::Stopwatch watch;
         levels.push_back(fem::run_level(scene, {cell, "", false}, {}));
+        fmt::print(stderr, "cells of {:.3g} mm: {} unknowns, {:.0f} s\n", cell,
+                   levels.back().unknowns, watch.seconds());
+      }
       return levels;
     } catch (const fem::YieldsBeyondStreamlines&) {
       if (times == 5) throw;
@@ -110,6 +114,10 @@ int main(int count, char** words) {
   const auto first = static_cast<unsigned>(given(5)), end = first + static_cast<unsigned>(given(6));
   for (unsigned number = first; number < end; ++number) try {
       const contact::Scene scene = loads.scene(number, static_cast<int>(given(3)));
+      const auto patch = halfspace::PatchSearch(scene).patch();
+      fmt::print(stderr, "scene {}: p0 {:.0f} MPa, yield stress {:.0f} MPa, friction {:.2f}\n",
+                 number, patch.max_pressure, scene.rail.plasticity->yield_stress,
+                 scene.friction_coefficient());
       const double axis = halfspace::PatchSearch(scene).box().smaller();
       const double cell = axis / given(1);
       auto levels = levels_of(scene, {2.0 * cell, cell, axis / given(2)});

@@ -69,6 +69,9 @@ const std::vector<OfPass> with_friction{{{0.0625, 1.04293, 0.1999, -0.0534},
                                          {1.8125, 0.15492, -0.0296, -0.0182},
                                          {1.9375, 0.03248, -0.0011, -0.0030}}};
 
+/// Row of equal cells below thin ones, half-widths: --rows of 0.02 and so on, each 0.014 higher.
+constexpr double first_row = 0.02;
+
 Passes rolled_passes(const RolledBody& slab, double friction) {
   Passes passes(slab, plain_steel(300.0, 210e3 / 20.0), 3.9 * 300.0, friction);
   passes.accuracy.steps = 1;  // from Gauss point to Gauss point, half a cell, as there
@@ -83,13 +86,18 @@ OfPass means_over_cells(const Passes& passes) {
   const fem::Streamlines& lines = passes.of.lines;
   OfPass cells;
   for (std::size_t stream = 0; stream < lines.streams(); stream += lines.width()) {
-    const auto& stress = residual.at(lines.section(stream)[1]);
-    if (stream / lines.width() % 2 == 0) cells.push_back({});
+    const double depth = lines.section(stream)[1];
+    const auto& stress = residual.at(depth);
+    const auto volume = [&](std::size_t of) { return lines.volume(of * lines.stations()); };
+    const bool upper = stream / lines.width() % 2 == 0;
+    const std::size_t other = upper ? stream + lines.width() : stream - lines.width();
+    const double part = volume(stream) / (volume(stream) + volume(other));
+    if (upper) cells.push_back({});
     OfCell& cell = cells.back();
-    cell.depth += 0.5 * lines.section(stream)[1];
-    cell.plastic_xz += 0.5e3 * passes.state.leaving[stream].strain[5];
-    cell.along += 0.5 * stress[0] / passes.load_factor;
-    cell.across += 0.5 * stress[1] / passes.load_factor;
+    cell.depth += part * depth;
+    cell.plastic_xz += part * 1e3 * passes.state.leaving[stream].strain[5];
+    cell.along += part * stress[0] / passes.load_factor;
+    cell.across += part * stress[1] / passes.load_factor;
   }
   return cells;
 }
