@@ -187,8 +187,9 @@ struct StepMotion {
 
 /// A step with its load.
 struct HistoryStep : StepMotion {
-  std::optional<double> normal_force;  ///< N; without it and the approach, the load of the case
-  std::optional<double> approach;      ///< mm
+  std::optional<double> normal_force;    ///< N; without any of the three, the load of the case
+  std::optional<double> approach;        ///< mm
+  std::optional<double> vertical_force;  ///< N, on each wheel
 };
 
 /// Undeformed distance instead of the radii; at most one of the two.
@@ -319,6 +320,9 @@ struct Case {
   /// Whether the first step of a transient is steady rolling, which the others continue; otherwise
   /// the bodies are at rest before it.
   bool starts_steady = false;
+  /// The wheels' velocities across the track and their turning are the differences of their
+  /// positions from step to step, not those of Wheelset.
+  bool moves_by_positions = false;
   DistanceOptions undeformed_distance;
   std::optional<GivenPressure> given_pressure;
   GridOptions contact_grid;
@@ -332,6 +336,11 @@ struct Case {
   /// Whether wheel and rail are given by profiles: the case is not solved directly but converted
   /// into scenes.
   bool has_profiles() const { return !wheel.profile.name.empty() || !rail.profile.name.empty(); }
+  /// The positions of the wheels are the steps of a history, which follow each other; otherwise
+  /// each position has all load points.
+  bool is_wheel_history() const {
+    return has_profiles() && !history.empty() && wheelset.positions() > 1;
+  }
   /// Whether wheel or rail yields: each entry of rolling.creepages is then a pass, or a step of a
   /// shift.
   bool yields() const { return wheel.plasticity || rail.plasticity; }

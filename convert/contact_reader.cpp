@@ -267,6 +267,7 @@ void read_wheel_rail(InputLines& lines, ContactCase& next) {
     // Newer versions have D_SEP, D_COMB and more.
     const auto grid = lines.numbers({"DX", "DS", "DQREL", "A_SEP"}, 4);
     pair.cell = {grid[0], grid[1]};
+    pair.step = grid[2];
     pair.search = digits.D;
   }
   if (Z == 1 || Z == 3) {

@@ -99,6 +99,14 @@ void follow_patch(const Group& group, Equivalent& next) {
       "the patch moves along x in CONTACT's axes: here the axes move with it, and it rolls");
 }
 
+/// A step of T = 1 in axes of the track rolls by VS; its patch moves by the change of S.
+void check_way(double way, Equivalent& next) {
+  const auto step = next.varied.find("history.step_length");
+  if (step == next.varied.end() || std::abs(way - step->second) <= 1e-6 * step->second) return;
+  next.impossible.push_back(fmt::format(
+      "digit T = 1: the wheel moves by {:g} mm (S) and rolls by {:g} mm (VS)", way, step->second));
+}
+
 /// Gives the first step the approach of the next one, to which its force leads.
 void press_first_step(Group& group, const Equivalent& next) {
   const auto approach = next.varied.find("history.approach");
@@ -120,19 +128,35 @@ bool joins(const Group& group, const Equivalent& next) {
          first.history() == next.continues && same_keys(group.points.front(), next.varied);
 }
 
+/// Turns a line that all cases share into a value of one of them.
+void loosen(Equivalent& made, const std::string& section, const std::string& key,
+            const std::string& path, Point& point) {
+  auto& lines = made.fixed[section];
+  const auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& text) {
+    return text.rfind(key + " = ", 0) == 0;
+  });
+  if (line != lines.end()) {
+    point[path] = std::stod(line->substr(key.size() + 3));
+    lines.erase(line);
+  }
+  if (lines.empty()) made.fixed.erase(section);
+}
+
 /// Turns the last steady case, alone in its group, into the first step of the transient that `next`
 /// continues; false if that is impossible.
 bool start_steadily(std::vector<Group>& groups, const Equivalent& next) {
   Group& last = groups.back();
   if (!next.continues || next.problem != "transient" || last.first.problem != "steady")
     return false;
-  Group steps{last.first, {last.cases.back()}, {last.points.back()}, last.notes, true};
+  Group steps{last.first, {last.cases.back()}, {last.points.back()}, last.notes, true, last.place};
   steps.first.problem = next.problem;
   if (steps.first.from_sliding != next.from_sliding)
     steps.notes.push_back(
         fmt::format("INISLP of case {} is taken to be that of the steps", steps.cases.front()));
   steps.first.from_sliding = next.from_sliding;
   Point& point = steps.points.front();
+  loosen(steps.first, "load", "vertical_force", "history.vertical_force", point);
+  loosen(steps.first, "wheelset", "rotation_change", "wheelset.rotation_change", point);
   for (const std::string load : {"normal_force", "approach"})
     if (next.varied.count("history." + load) != 0)
       if (auto found = point.extract("load." + load)) {
@@ -284,6 +308,8 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
     open = open && follows_chosen;
     if (!is_chosen) continue;
     if (open) follow_patch(groups.back(), made);
+    if (open && made.continues && given.module == 1 && given.digits.T == 1)
+      check_way(made.place - groups.back().place, made);
     const bool joined = made.impossible.empty() && open && can_join(groups, made);
     if (made.impossible.empty() && made.continues && !joined)
       made.impossible.push_back(

@@ -232,8 +232,8 @@ void judge_problem(const ContactCase& given, Equivalent& made) {
   made.refuse(given.digits.F > 2, "F", given.digits.F, "a rail on springs");
   made.refuse(given.module == 3 && E != 0, "E", E,
               "extra rigid slip given per element (write a file for rolling.extra_slip_file)");
-  made.refuse(given.module == 1 && (T == 1 || T == 2), "T", T,
-              "shifts and transient rolling of wheel and rail profiles");
+  made.refuse(given.module == 1 && T == 1 && forward_speed(given) == 0.0,
+              "digit T = 1: a shift of wheel and rail profiles without rolling");
 }
 
 void note_settings(const ContactCase& given, Equivalent& made) {

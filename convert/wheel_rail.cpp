@@ -104,9 +104,13 @@ void fill_motion(const ContactCase& given, const Forward& forward, Equivalent& m
   if (vz != 0.0 || !(is_list_of_sections(given.wheel_rail.rail.name) ||
                      is_list_of_sections(given.wheel_rail.wheel.name)))
     made.set("wheelset", "vertical_velocity", vz / speed, "VZ / VS");
-  if (digits.F == 0)
-    made.set("wheelset", "rotation_change", rotation_of(given, forward) * radius - 1.0,
-             "-VPITCH NOMRAD / VS - 1");
+  const double change = rotation_of(given, forward) * radius - 1.0;
+  if (digits.F == 0 && made.history())
+    made.varied["wheelset.rotation_change"] = change;
+  else if (digits.F == 0)
+    made.set("wheelset", "rotation_change", change, "-VPITCH NOMRAD / VS - 1");
+  else if (made.history())
+    made.refuse(true, "digits T and F: a prescribed force or moment in time");
   else if (digits.F == 1 && vpitch == 0.0)
     made.set_word("wheelset", "free_rolling", digits.T == 0 ? "none" : "force");
   else
@@ -175,6 +179,8 @@ void fill_wheelset(const ContactCase& given, Equivalent& made) {
   const Forward forward = forward_of(given, made);
   if (given.digits.N == 0)
     made.varied["wheelset.height"] = vertical;
+  else if (made.history())
+    made.varied["history.vertical_force"] = vertical;
   else
     made.set("load", "vertical_force", vertical, "N, on this wheel");
   made.varied["wheelset.lateral_shift"] = y;
@@ -185,6 +191,13 @@ void fill_wheelset(const ContactCase& given, Equivalent& made) {
   made.varied["wheelset.roll"] = roll;
   fill_displacements(given, forward, made);
   if (given.digits.T != 0) fill_motion(given, forward, made);
+  made.place = forward.sign * s;
+  if (!made.history()) return;
+  // T = 1 in axes of the track: the wheel rolls VS, and its patch moves as far.
+  made.varied["history.step_length"] =
+      given.digits.T == 1 ? forward.speed : pair.step * pair.cell[0];
+  made.note(given.digits.T == 1, "steps of T = 1 roll by VS, which is the change of S");
+  made.problem = "transient";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "case/case.hpp"
 #include "scene/friction_law.hpp"
 #include "scene/geometry.hpp"
+#include "scene/step_past.hpp"
 
 #include <string>
 
@@ -70,6 +71,9 @@ struct Scene {
   Problem problem = Problem::steady;
   bool starts_steady = false;  ///< the first point of Problem::transient is steady rolling
   std::vector<LoadPoint> points;
+  /// Of a wheel that stood elsewhere in the step before: what this one step inherits; null: the
+  /// load points follow each other at one place.
+  std::shared_ptr<const StepPast> past;
   bool turns_freely = false;  ///< a wheelset's balance has found the rotation, and the creepages
   std::optional<GivenPressure> given_pressure;
   double speed = 0.0;  ///< mm/s

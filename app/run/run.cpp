@@ -143,7 +143,8 @@ void run(RunRequest& request) {
   const contact::Case input = request.read();
   const std::size_t positions = input.has_profiles() ? input.wheelset.positions() : 1;
   modelling::check_division(request, positions, "position of the wheelset");
-  const bool divisible = positions > 1 && !modelling::any_parallel(models, input.models);
+  const bool divisible =
+      positions > 1 && !input.is_wheel_history() && !modelling::any_parallel(models, input.models);
   modelling::in_parts(request, divisible, request.folder(), [&] { run_at_once(request); });
 }
 

@@ -112,6 +112,9 @@ SectionWithKeys history_section() {
   keys.add("approach", of_each(&Case::history, &HistoryStep::approach), symbol("delta"), unit("mm"),
            between(1e-9, 1e6), otherwise("load.approach in all steps"),
            "Approach in each step, instead of [load].");
+  keys.add("vertical_force", of_each(&Case::history, &HistoryStep::vertical_force), symbol("Q"),
+           unit("N"), between(1e-6, largest_force), otherwise("load.vertical_force in all steps"),
+           "With profiles: vertical force on each wheel in each step, instead of [load].");
   for (const Shift& shift :
        {Shift{"longitudinal_shift", "mm", 1e3,
               "Rigid displacement of the wheel over the rail along x in each step (shift).",
@@ -125,6 +128,11 @@ SectionWithKeys history_section() {
            positive(), otherwise("required by `transient`"),
            "Distance that the wheel rolls in each step (transient); error bars count it. An "
            "element or a tenth of the patch is short enough.");
+  keys.add("motion", &Case::moves_by_positions, {{"velocities", false}, {"positions", true}},
+           silent_default, otherwise("velocities"),
+           "Where several positions of a wheel follow each other: its lateral, yaw and roll "
+           "velocity are those of its section, or the differences of the positions over "
+           "step_length.");
   return keys;
 }
 

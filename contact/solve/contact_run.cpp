@@ -105,7 +105,7 @@ bool ContactRun::begin(const ContactGrid& grid, const MakeElasticity& make) {
   const Stopwatch setup;
   elasticity_ = make();
   result_.setup_seconds += setup.seconds();
-  motion_.emplace(scene_, geometry_, grid);
+  motion_.emplace(scene_, geometry_, grid, options_.inherited);
   state_ = {};
   if (!elasticity_->is_halfspace()) return true;
   prepare();
@@ -354,6 +354,8 @@ void ContactRun::remember(std::size_t k) {
   motion_->advance(k, state_);
   result_.steepness = std::max(result_.steepness, state_.tangential.steepness);
   if (state_.tangential.states > 1) ++result_.several;
+  if (scene_.past && friction_ && (friction_->memory() || friction_->plasticity))
+    result_.after = friction_after(friction_, result_.grid, state_);
   if (scene_.is_history()) return;
   result_.relative_traction.push_back(relative_to_bound(
       state_.tangential.traction, traction_bound(friction_, result_.grid, state_.normal.pressure)));

@@ -62,6 +62,7 @@ struct LevelResult {
   int contact_elements = 0;  ///< of the last load point
   std::vector<TangentialField> relative_traction;  ///< per load point; empty in a history
   std::vector<PointResult> points;
+  FrictionPast after;  ///< the last step of a history, where friction remembers
   double setup_seconds = 0.0;
   double normal_seconds = 0.0;
   double tangential_seconds = 0.0;
@@ -92,6 +93,7 @@ struct RunOptions {
   /// Skips load points without a stable state, unless the next one starts from them.
   bool leaves_unsolved = false;
   Response first_defect;  ///< from an earlier run without friction; empty: to be computed
+  std::optional<History> inherited;  ///< on this grid, for Scene::past
 };
 
 using MakeElasticity = std::function<std::unique_ptr<Elasticity>()>;

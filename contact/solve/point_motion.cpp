@@ -29,11 +29,20 @@ Friction friction_on(const Scene& scene, const ChartedGeometry& geometry) {
 }
 
 PointMotion::PointMotion(const Scene& scene, const ChartedGeometry& geometry,
-                         const ContactGrid& grid)
-    : scene_(scene), geometry_(geometry), grid_(grid), history_(grid, scene.upwind_order) {
+                         const ContactGrid& grid, const std::optional<History>& inherited)
+    : scene_(scene),
+      geometry_(geometry),
+      grid_(grid),
+      history_(inherited.value_or(History(grid, scene.upwind_order))) {
+  if (scene.past) {
+    const auto& [along, across, turn] = scene.past->shift;
+    sum_ = {along, across, turn, scene.past->distance};
+    steps_before_ = scene.past->steps;
+  }
   const Friction& law = scene.friction();
   if (!scene.is_history() || !law || !(law->memory() || law->plasticity)) return;
   friction_ = friction_on(scene, geometry);
+  if (inherited) return;
   const Field none = Field::Zero(grid.size());
   history_.advance({none, none}, 0.0, friction_after(friction_, grid));
 }
@@ -92,7 +101,7 @@ void PointMotion::describe(std::size_t k, const Vector2d& unknowns, PointResult&
     point.creepage.lateral = unknowns.y();
   }
   if (!scene_.is_history()) return;
-  point.step = static_cast<int>(k) + 1;
+  point.step = steps_before_ + static_cast<int>(k) + 1;
   if (scene_.problem_of(k) == Problem::transient) sum_.distance += given.step_length;
   point.longitudinal_shift = sum_.longitudinal;
   point.lateral_shift = sum_.lateral;
@@ -162,8 +171,8 @@ TangentialMotion History::rolling_step(const TangentialField& rigid_slip,
   if (!(step_length > 0.0))
     throw InputError(
         fmt::format("transient rolling: a step of {} mm; allowed: above 0", step_length));
-  const TangentialField one{upstream(grid_, last_.x, step_length),
-                            upstream(grid_, last_.y, step_length)};
+  const double way = arrived_ ? 0.0 : step_length;
+  const TangentialField one{upstream(grid_, last_.x, way), upstream(grid_, last_.y, way)};
   const auto equals = [&](double other) {
     return std::abs(step_length - other) <= 1e-9 * step_length;
   };
@@ -172,14 +181,15 @@ TangentialMotion History::rolling_step(const TangentialField& rigid_slip,
     return step({step_length * rigid_slip.x - one.x, step_length * rigid_slip.y - one.y},
                 1.0 / step_length);
   // (3 u - 4 u' + u'')/2 + step s = 3/2 (u + (2 step s - 4 u' + u'')/3)
-  const TangentialField two{upstream(grid_, before_last_.x, 2.0 * step_length),
-                            upstream(grid_, before_last_.y, 2.0 * step_length)};
+  const TangentialField two{upstream(grid_, before_last_.x, 2.0 * way),
+                            upstream(grid_, before_last_.y, 2.0 * way)};
   return step({(2.0 * step_length * rigid_slip.x - 4.0 * one.x + two.x) / 3.0,
                (2.0 * step_length * rigid_slip.y - 4.0 * one.y + two.y) / 3.0},
               1.5 / step_length);
 }
 
 void History::advance(const TangentialField& displacement, double step_length, FrictionPast after) {
+  arrived_ = false;
   before_last_ = last_;
   last_ = displacement;
   before_last_step_ = last_step_;
@@ -187,9 +197,20 @@ void History::advance(const TangentialField& displacement, double step_length, F
   after_ = std::move(after);
 }
 
+void History::inherit(TangentialField last, TangentialField before_last,
+                      std::array<double, 2> lengths, FrictionPast after) {
+  last_ = std::move(last);
+  before_last_ = std::move(before_last);
+  last_step_ = lengths[0];
+  before_last_step_ = lengths[1];
+  after_ = std::move(after);
+  arrived_ = true;
+}
+
 /// Linear between elements: a cubic could leave the values between which mu lies.
 FrictionPast History::past(double step_length) const {
   if (step_length == 0.0) return {after_.coefficient, 1.0, after_.plastic};
+  if (arrived_) return {after_.coefficient, step_length, after_.plastic};
   const double elements = std::min(step_length / grid_.dx, grid_.nx + 2.0);
   const int ahead = static_cast<int>(elements);
   const double part = elements - ahead;

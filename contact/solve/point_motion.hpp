@@ -11,6 +11,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <optional>
 #include <utility>
 
 namespace rollfem::contact {
@@ -42,6 +44,11 @@ class History {
   /// friction remembers. `step_length` 0 for a shift.
   void advance(const TangentialField& displacement, double step_length, FrictionPast after = {});
 
+  /// A past in other places: displacements that the two last steps have left in the material now
+  /// on the grid, the mm rolled in these steps, and mu and u* of this material.
+  void inherit(TangentialField last, TangentialField before_last, std::array<double, 2> lengths,
+               FrictionPast after);
+
   /// mu and u* of the particles that the next step brings to the elements: in a shift they stay.
   FrictionPast past(double step_length) const;
 
@@ -53,6 +60,7 @@ class History {
   FrictionPast after_;             ///< mu and u* after the last step
   double last_step_ = 0.0;         ///< mm rolled in the last step
   double before_last_step_ = 0.0;  ///< mm rolled in the step before
+  bool arrived_ = false;           ///< the material is already where the next step brings it
 };
 
 /// mu and u* of the elements after a step under this law; that at rest and 0 where there is no
@@ -71,7 +79,9 @@ Friction friction_on(const Scene& scene, const ChartedGeometry& geometry);
 class PointMotion {
  public:
   /// Scene and geometry must outlive this object.
-  PointMotion(const Scene& scene, const ChartedGeometry& geometry, const ContactGrid& grid);
+  /// `inherited`: a past in other places (Scene::past).
+  PointMotion(const Scene& scene, const ChartedGeometry& geometry, const ContactGrid& grid,
+              const std::optional<History>& inherited = {});
 
   /// Slip in addition to that of the geometry; may be empty.
   void set_extra(TangentialField extra) { extra_ = std::move(extra); }
@@ -107,6 +117,7 @@ class PointMotion {
   Friction friction_;  ///< null: no law, or one without memory of earlier steps
   History history_;
   Sum sum_;
+  int steps_before_ = 0;  ///< of Scene::past
 };
 
 }  // namespace rollfem::contact

@@ -11,6 +11,7 @@
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/step_errors.hpp"
+#include "halfspace/model/step_lattice.hpp"
 #include "halfspace/patch/coverage.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
@@ -75,6 +76,14 @@ constexpr int fewest_for_bars = 4;
 /// help a history, because its steps start from each other.
 std::vector<Cell> cells_of_levels(const Scene& scene, const PatchSearch& area) {
   std::vector<Cell> cells{finest_cell(scene, area)};
+  if (scene.past) {
+    const auto [length, width] = area.extent();
+    cells.clear();
+    for (const contact::PastLevel& level : scene.past->levels)
+      cells.push_back({level.cell[0], level.cell[1],
+                       static_cast<int>(std::min(length / level.cell[0], width / level.cell[1]))});
+    return cells;
+  }
   const auto another = [&] {
     const int across = cells.back().across / 2;
     return cells.size() < 2 || (cells.size() < 3 && across >= fewest_for_bars) ||
@@ -238,7 +247,7 @@ std::string set_bars(const Scene& scene, Levels& levels) {
 void count_steps(const Scene& scene, const PatchSearch& area, const std::vector<Cell>& cells,
                  Levels& levels, const contact::Progress& progress,
                  const GridElasticity& elasticity, ModelResult& result) {
-  if (scene.problem != contact::Problem::transient || !levels.coarse) return;
+  if (scene.problem != contact::Problem::transient || scene.past || !levels.coarse) return;
   const DividedSteps steps = divided_steps(scene, area.extent().length);
   const auto divided = coarser_level(steps.scene, area, cells[cells.size() - 2], nullptr, true,
                                      progress, elasticity);
@@ -353,7 +362,7 @@ RefinedInput grid_level(ModelInput input, int k, int /*n*/) {
 
 /// Transient rolling uses values up to two steps upstream.
 int columns_for_steps(const Scene& scene, const PatchSearch& area, double dx) {
-  if (scene.problem != contact::Problem::transient || scene.contact_grid.extent ||
+  if (scene.problem != contact::Problem::transient || scene.past || scene.contact_grid.extent ||
       scene.geometry.distance_values)
     return 0;
   double longest = 0.0;
@@ -413,20 +422,27 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   ModelResult result;
   std::string warning;
   result.name = elasticity.model;
+  if (scene.past) scene.past->left->clear();
   for (std::size_t level = 0; level < cells.size(); ++level) {
     const Cell cell = cells[level];
     const bool last = level + 1 == cells.size();
+    std::optional<Scene> on_its_lattice;
+    if (scene.past) on_its_lattice = on_lattice(scene, level);
+    const Scene& here = scene.past ? *on_its_lattice : scene;
+    const PatchSearch here_area(here, detail_for(scene));
     const contact::LevelResult* start =
         levels.fine && is_a_start(scene, cells[level - 1], last) ? &*levels.fine : nullptr;
     if (last)
       levels.push(
-          solve_level(scene, area, cell.dx, cell.dy, start,
+          solve_level(here, here_area, cell.dx, cell.dy, start,
                       scene.accuracy.relative ? fmt::format("{} across: ", cell.across) : "",
                       progress, checkpoint, elasticity));
     else
-      levels.push(coarser_level(scene, area, cell, start,
+      levels.push(coarser_level(here, here_area, cell, start,
                                 !is_a_start(scene, cell, level + 2 == cells.size()), progress,
                                 elasticity));
+    if (scene.past)
+      scene.past->left->push_back(levels.fine ? left_by(*levels.fine) : contact::PastPatch());
     if (!levels.fine) continue;
     result.seconds["setup"] += levels.fine->setup_seconds;
     result.seconds["normal"] += levels.fine->normal_seconds;
@@ -509,6 +525,7 @@ contact::LevelResult solve_level(const Scene& scene, const PatchSearch& area, do
     std::optional<contact::PointStore> store;
     if (checkpoint)
       store.emplace(*checkpoint, fmt::format("{}-{}x{}", elasticity.model, grid.nx, grid.ny));
+    if (scene.past) options.inherited = inherited_on(scene, geometry, grid);
     std::optional<contact::LevelResult> result =
         contact::solve_points(scene, geometry, options, progress, store ? &*store : nullptr, grid,
                               [&] { return elasticity.make(scene, geometry, grid); });

@@ -55,7 +55,10 @@ std::vector<result::PlacedPair> drawn_pairs(const Case& input, const track::Sear
   std::vector<result::PlacedPair> pairs;
   for (const track::PlacedScene& scene : scenes) {
     const contact::ContactPlace& place = scene.contact.place;
-    if (place.patch == 1)
+    const bool wanted = !input.is_wheel_history() ||
+                        input.output.keeps_grid(static_cast<std::size_t>(place.position) - 1,
+                                                input.wheelset.positions());
+    if (place.patch == 1 && wanted)
       pairs.push_back({place.left, place.position,
                        on_track(search.rail(place.left).curve, place.left),
                        wheel_on_track(input, search.profiles.wheel, scene.contact)});

@@ -5,6 +5,7 @@
 #include "base/threads.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "modelling/solving/auto_model.hpp"
+#include "modelling/solving/history_run.hpp"
 #include "result/bars.hpp"
 #include "result/patch_size.hpp"
 #include "result/quantities.hpp"
@@ -297,7 +298,12 @@ Part solve_part(const contact::Case& input, const Placed& wheels, const Solving&
   Part part;
   part.scenes = scenes_of(input, wheels, how.progress, how.checkpoint, how.own);
   const auto able = able_models(input, part.scenes, how, part.solved.missing);
-  if (any_choice(*how.models, able))
+  if (input.is_wheel_history())
+    for (const std::string& model : able) {
+      auto results = solve_history(input, wheels->search, model, part.scenes, how);
+      std::move(results.begin(), results.end(), std::back_inserter(part.solved.results));
+    }
+  else if (any_choice(*how.models, able))
     part.advice = solve_chosen(able.front(), part.scenes, how, part.solved);
   else
     solve_named(able, part.scenes, how, part.solved);
@@ -334,7 +340,7 @@ Part solve_on_fitting_surface(const contact::Case& input, const Placed& wheels,
     if (!part.solved.conformal) return part;
   } catch (const contact::ConformalContact&) {
   }
-  if (static_cast<std::size_t>(how.own.of) >= positions)
+  if (static_cast<std::size_t>(how.own.of) >= positions || input.is_wheel_history())
     return solve_on_common_surface(input, wheels, how);
   Part all;
   for (std::size_t k = 0; k < positions; ++k) {

@@ -474,6 +474,13 @@ void check_cells(const std::string& where, const contact::BodyField& body) {
 
 }  // namespace
 
+bool keeps_grid(const contact::Case& input, const contact::ModelResult& model, std::size_t k) {
+  if (!input.is_wheel_history() || !model.place)
+    return input.output.keeps_grid(k, model.points.size());
+  return input.output.keeps_grid(static_cast<std::size_t>(model.place->position) - 1,
+                                 input.wheelset.positions());
+}
+
 void check_record(const RunRecord& run) {
   std::set<std::string> names;
   for (const contact::ModelResult& model : run.models) {

@@ -58,6 +58,10 @@ Tree model_tree(const contact::ModelResult& model, const contact::Case& input);
 /// solution lacks is nan.
 Tree point_tree(const contact::ModelResult& model, std::size_t number, bool with_fields);
 
+/// Whether the fields on the grid of load point k are stored; each step of a wheel's history is a
+/// result of its own.
+bool keeps_grid(const contact::Case& input, const contact::ModelResult& model, std::size_t k);
+
 Tree place_tree(const contact::ContactPlace& place);
 
 /// Throws std::logic_error naming the field if the record holds a number that is not finite, a

@@ -7,6 +7,7 @@
 #include "result/quantities.hpp"
 #include "result/stress_measures.hpp"
 #include "result/write/columns.hpp"
+#include "result/write/contents.hpp"
 #include "result/write/wheelset_rows.hpp"
 
 #include <fmt/format.h>
@@ -303,7 +304,7 @@ std::string path_csv(const RunRecord& run, Path path) {
     across = path == Path::x ? middle_lines(grid.y_first, grid.dy, grid.ny)
                              : middle_lines(grid.x_first, grid.dx, grid.nx);
     std::vector<Row> rows;
-    if (run.input.output.keeps_grid(line.number, line.model->points.size()) && !across.empty())
+    if (keeps_grid(run.input, *line.model, line.number) && !across.empty())
       for (int k = 0; k < (path == Path::x ? grid.nx : grid.ny); ++k)
         rows.push_back({&line, path, &across, k});
     return rows;

@@ -78,7 +78,7 @@ void write_model(hid_t models, const contact::ModelResult& model, long order,
   write_attribute(group, "order", order);
   const Handle points = create_group(group, "points", "Load points in the order of the case");
   for (std::size_t k = 0; k < model.points.size(); ++k)
-    write(points, point_tree(model, k, input.output.keeps_grid(k, model.points.size())));
+    write(points, point_tree(model, k, keeps_grid(input, model, k)));
   // The values of bodies at the last load point that stores them stand beside their nodes, too.
   const std::vector<std::size_t> kept = model.points_with_bodies();
   for (const contact::BodyField& body : model.bodies)
@@ -161,7 +161,7 @@ using Jobs = std::vector<std::function<void()>>;
 /// Writes the contact surface of every load point that stores it, their series, and the last one
 /// under a separate name.
 void write_contact(ResultFolder& folder, const contact::ModelResult& model,
-                   const contact::OutputOptions& wanted, Jobs& jobs) {
+                   const contact::Case& input, Jobs& jobs) {
   const std::string stem = "fields/" + model.key() + "_contact";
   const std::vector<double> all = series_times(model.points);
   std::vector<double> times;
@@ -169,7 +169,7 @@ void write_contact(ResultFolder& folder, const contact::ModelResult& model,
   std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < model.points.size(); ++k) {
     if (model.points[k].fields.traction.n.size() == 0) continue;
-    if (!wanted.keeps_grid(k, model.points.size())) continue;
+    if (!keeps_grid(input, model, k)) continue;
     files.push_back({fmt::format("{}_contact_{:04}.vtu", model.key(), k)});
     times.push_back(all[k]);
     kept.push_back(k);
@@ -235,7 +235,7 @@ void write_results(const std::string& directory, const RunRecord& run) {
   Jobs jobs{[&] { folder.write("results.h5", results_hdf5(run)); }};
   if (run.input.output.fields)
     for (const contact::ModelResult& model : run.models) {
-      write_contact(folder, model, run.input.output, jobs);
+      write_contact(folder, model, run.input, jobs);
       write_body_files(folder, model, jobs);
     }
   contact::for_each_index(jobs.size(), [&](std::size_t k) { jobs[k](); });

@@ -102,8 +102,9 @@ std::vector<contact::Scene> kept_or_balanced(const Case& input, int position,
     return scenes;
   constexpr auto worth_keeping = std::chrono::milliseconds(50);
   const auto begin = std::chrono::steady_clock::now();
-  scenes =
-      contact::at_place(where(input, position), [&] { return balanced_position(input, here); });
+  scenes = contact::at_place(where(input, position), [&] {
+    return balanced_position(case_at(input, static_cast<std::size_t>(position) - 1), here);
+  });
   if (kept != nullptr && std::chrono::steady_clock::now() - begin > worth_keeping) {
     Record record;
     exchange(record, here, scenes);
@@ -268,6 +269,13 @@ void check_alone(const contact::Case& input, const ModelResult& result) {
       refuse(input, result, fmt::format("the approach is {:.4g} mm", point.approach));
 }
 
+std::optional<double> load_of(const contact::Case& input, const contact::ContactPlace& place) {
+  const auto k = static_cast<std::size_t>(place.position) - 1;
+  if (input.is_wheel_history() && input.history.at(k).vertical_force)
+    return input.history[k].vertical_force;
+  return input.load.vertical_force;
+}
+
 void check_wheel(const contact::Case& input, const std::vector<const ModelResult*>& contacts) {
   const ModelResult& first = *contacts.front();
   for (std::size_t k = 0; k < first.points.size(); ++k) {
@@ -289,13 +297,12 @@ void check_wheel(const contact::Case& input, const std::vector<const ModelResult
                           "the middle of the track",
                           contacts[i]->place->label(), std::max(a[0], b[0]), std::min(a[1], b[1])));
       }
-    if (known && input.load.vertical_force &&
-        std::abs(vertical - *input.load.vertical_force) >
-            sum_tolerance * *input.load.vertical_force)
+    const std::optional<double> load = load_of(input, *first.place);
+    if (known && load && std::abs(vertical - *load) > sum_tolerance * *load)
       refuse(
           input, first,
           fmt::format("the vertical forces of {} contacts add up to {:.6g} N, the load is {:g} N",
-                      contacts.size(), vertical, *input.load.vertical_force));
+                      contacts.size(), vertical, *load));
   }
 }
 

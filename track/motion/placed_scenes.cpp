@@ -164,6 +164,29 @@ SearchScene search_scene_of(const Case& input) {
                            [&] { return make_search_scene(input, std::move(pair)); });
 }
 
+Case case_at(const Case& input, std::size_t k) {
+  Case here = input;
+  if (!input.is_wheel_history()) return here;
+  const auto keep = [k](auto& entries) {
+    if (!entries.empty()) entries = {entries.at(k)};
+  };
+  keep(here.rolling.creepages);
+  keep(here.rolling.forces);
+  keep(here.history);
+  keep(here.wheelset.rotation_change);
+  here.starts_steady = input.starts_steady && k == 0;
+  contact::HistoryStep& step = here.history.front();
+  if (step.vertical_force) here.load.vertical_force = step.vertical_force;
+  if (!input.moves_by_positions || k == 0) return here;
+  const auto change = [&](const std::vector<double>& list) {
+    return list.empty() ? 0.0 : (list.at(k) - list.at(k - 1)) / step.step_length;
+  };
+  here.wheelset.lateral_velocity = change(input.wheelset.lateral_shift);
+  here.wheelset.yaw_velocity = change(input.wheelset.yaw);
+  here.wheelset.roll_velocity = change(input.wheelset.roll);
+  return here;
+}
+
 /// Blends from the plane to the surface as the spread of the normals grows, so that forces change
 /// continuously.
 double follows_surface(double spread_of_normals) {
@@ -202,13 +225,14 @@ std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene
   std::vector<std::vector<PlacedScene>> at(input.wheelset.positions());
   contact::for_each_index(at.size(), [&](std::size_t k) {
     std::vector<PlacedScene> left, right;
-    for (WheelRailContact& contact : find_contacts(input, scene, static_cast<int>(k) + 1, options))
+    const Case here = case_at(input, k);
+    for (WheelRailContact& contact : find_contacts(here, scene, static_cast<int>(k) + 1, options))
       if (contact.place.patch > 0 || (contact.reserve && options.with_reserve))
         (contact.place.left ? left : right).push_back(contact::at_place({file_of(input)}, [&] {
-          return make_scene(input, std::move(contact));
+          return make_scene(here, std::move(contact));
         }));
     for (std::vector<PlacedScene>* wheel : {&left, &right}) {
-      stand_under_load(input, *wheel);
+      stand_under_load(here, *wheel);
       std::move(wheel->begin(), wheel->end(), std::back_inserter(at[k]));
     }
   });

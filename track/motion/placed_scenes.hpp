@@ -21,6 +21,10 @@ struct PlacedScene {
 /// create it once and pass it on.
 SearchScene search_scene_of(const contact::Case& input);
 
+/// The case at one position, counted from 0: of a wheel's history the step there alone, with the
+/// velocities of its motion; otherwise the case itself.
+contact::Case case_at(const contact::Case& input, std::size_t position);
+
 /// Scenes in the order positions, left and right wheel, patches; near misses have no scene. A
 /// vertical force is the load of a wheel with one patch, along the vertical; where several patches
 /// share it, each has the estimate of patch_groups.hpp, which the caller corrects. Creepages given

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a step of a wheel on its rail inherits from the steps before, in which the wheel stood
+// elsewhere. The elements of all steps lie on one lattice in the material: tractions are taken over
+// as they are, and the displacements that they cause are those of the same half-space.
+#pragma once
+
+#include "base/grid.hpp"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace rollfem::contact {
+
+/// Elements on which a contact has left tractions.
+struct PastPatch {
+  ContactGrid grid;
+  SurfaceField traction;       ///< MPa
+  Field coefficient, plastic;  ///< mu and u*; empty where friction remembers nothing
+};
+using PastPatches = std::vector<PastPatch>;
+
+/// Elements of one size, and what lies on them: in the frame of the contact now, where the material
+/// has come to.
+struct PastLevel {
+  std::array<double, 2> cell{};    ///< mm, along x and y
+  std::array<double, 2> middle{};  ///< mm, a corner of the lattice
+  PastPatches last, before_last;
+  /// mm rolled in the last step and in the one before; 0: there was none, or it cannot be used.
+  std::array<double, 2> lengths{};
+};
+
+struct StepPast {
+  std::vector<PastLevel> levels;  ///< the coarsest first
+  int steps = 0;                  ///< before this one
+  double distance = 0.0;          ///< mm rolled in them
+  std::array<double, 3> shift{};  ///< mm, mm, rad: sum of their shifts
+  /// What the step leaves in its turn, in its own frame: one for each level, set by the model;
+  /// empty grids where it has no solution.
+  std::shared_ptr<PastPatches> left = std::make_shared<PastPatches>();
+};
+
+}  // namespace rollfem::contact

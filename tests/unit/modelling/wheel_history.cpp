@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Wheels whose positions follow each other: limits that must come out, and what a step hands on.
+#include "case/reading/case_reader.hpp"
+#include "halfspace/halfspace_models.hpp"
+#include "modelling/registry.hpp"
+#include "modelling/solving/solving.hpp"
+
+#include "support/case_examples.hpp"
+#include <cmath>
+
+namespace {
+
+using Changes = std::vector<std::string>;
+
+class WheelHistory : public ::testing::Test {
+ protected:
+  WheelHistory() { models_.add(halfspace::models().at("halfspace")); }
+
+  /// `loaded`: by a force, otherwise at the heights among the changes.
+  result::RunRecord solve(const Changes& changes, bool loaded = true) {
+    Changes all{"wheel.profile=S1002",        "wheel.rolling_radius=460.0",
+                "rail.profile=60E1",          "friction.coefficient=0.3",
+                "wheelset.roll=0.0",          "contact_grid.cell_size=[1.0, 1.0]",
+                "rolling.leading_edge=plain", "wheelset.rotation_change=-0.001",
+                "halfspace.surface=planar",   "wheelset.side=left"};
+    all.insert(all.end(), changes.begin(), changes.end());
+    result::RunRecord record;
+    const std::string track =
+        loaded ? wheel_on_rail : wheel_on_rail.substr(wheel_on_rail.find("[friction]"));
+    record.input = contact::parse_case(edited("models = [\"halfspace\"]\n" + track, all),
+                                       "case.toml", modelling::known_names(models_));
+    modelling::Solving how;
+    how.models = &models_;
+    modelling::solve(record, how);
+    return record;
+  }
+
+  contact::ModelRegistry models_;
+};
+
+/// `count` numbers from `first` to `last`.
+std::string list_of(double first, double last, int count) {
+  std::string text = "[";
+  for (int k = 0; k < count; ++k)
+    text +=
+        (k > 0 ? ", " : "") + std::to_string(first + (last - first) * k / std::max(1, count - 1));
+  return text + "]";
+}
+
+Changes steps(int count, const std::string& length, const Changes& more = {}) {
+  Changes all{"rolling.problem=transient", "history.step_length=" + length,
+              "wheelset.yaw=" + list_of(0.0, 0.0, count)};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+void expect_forces(const contact::PointResult& a, const contact::PointResult& b, double tolerance) {
+  const double scale = 0.3 * b.normal_force;
+  EXPECT_NEAR(a.normal_force, b.normal_force, tolerance * b.normal_force);
+  EXPECT_NEAR(a.longitudinal_force, b.longitudinal_force, tolerance * scale);
+  EXPECT_NEAR(a.lateral_force, b.lateral_force, tolerance * scale);
+}
+
+TEST_F(WheelHistory, ConstantConditionsLeadToSteadyRolling) {
+  for (const std::string order : {"first", "second"}) {
+    const Changes rule{"rolling.upwind_order=" + order};
+    const auto steady = solve(rule), rolled = solve(steps(45, "1.0", rule));
+    ASSERT_EQ(rolled.models.size(), 45U);
+    const contact::PointResult& last = rolled.models.back().points.front();
+    expect_forces(last, steady.models.front().points.front(), 1e-6);
+    EXPECT_EQ(last.step, 45);
+    EXPECT_DOUBLE_EQ(last.distance, 45.0);
+    EXPECT_EQ(rolled.models.back().place->position, 45);
+    // The first step is at rest: it carries less.
+    EXPECT_LT(std::abs(rolled.models.front().points.front().longitudinal_force),
+              0.5 * std::abs(last.longitudinal_force));
+  }
+}
+
+TEST_F(WheelHistory, EqualsTheHistoryAtOnePlace) {
+  const Changes rule{"history.start=steady",
+                     "wheelset.rotation_change=[-0.001, 0.0, 0.0005, 0.0005, 0.0005, 0.0]"};
+  Changes at_once = steps(1, "2.0", rule);
+  const auto one = solve(at_once), many = solve(steps(6, "2.0", rule));
+  ASSERT_EQ(one.models.size(), 1U);
+  ASSERT_EQ(many.models.size(), 6U);
+  for (std::size_t k = 0; k < 6; ++k)
+    expect_forces(many.models[k].points.front(), one.models.front().points[k], 1e-6);
+}
+
+/// The numbers of the steps of one wheel that carry.
+const contact::PointResult& step_of(const result::RunRecord& record, std::size_t k) {
+  return record.models.at(k).points.front();
+}
+
+TEST_F(WheelHistory, DoesNotDependOnHowStepsAndElementsDivide) {
+  const auto whole = solve(steps(30, "1.5", {"contact_grid.cell_size=[0.5, 1.0]"}));
+  const auto parts = solve(steps(30, "1.5", {"contact_grid.cell_size=[0.53, 1.0]"}));
+  for (const std::size_t k : {3U, 10U, 29U})
+    expect_forces(step_of(parts, k), step_of(whole, k), 6e-3);
+}
+
+TEST_F(WheelHistory, MirrorImagesAreEqual) {
+  const Changes moving{"wheelset.lateral_shift=" + list_of(0.0, 1.5, 8),
+                       "history.motion=positions"};
+  Changes other{"wheelset.lateral_shift=" + list_of(0.0, -1.5, 8), "history.motion=positions",
+                "wheelset.side=right"};
+  const auto left = solve(steps(8, "1.0", moving)), right = solve(steps(8, "1.0", other));
+  for (std::size_t k = 0; k < 8; ++k) {
+    contact::PointResult mirrored = step_of(right, k);
+    mirrored.lateral_force = -mirrored.lateral_force;
+    expect_forces(step_of(left, k), mirrored, 1e-7);
+  }
+}
+
+TEST_F(WheelHistory, LoadAndHeightAgree) {
+  const Changes moving{"wheelset.lateral_shift=" + list_of(0.0, 1.0, 5)};
+  const auto loaded = solve(steps(5, "1.0", moving));
+  std::string heights;
+  for (const contact::ModelResult& step : loaded.models)
+    heights +=
+        (heights.empty() ? "[" : ", ") + fmt::format("{:.12g}", *step.points[0].loaded_height);
+  const auto sunk = solve(steps(5, "1.0", {moving[0], "wheelset.height=" + heights + "]"}), false);
+  for (std::size_t k = 0; k < 5; ++k) expect_forces(step_of(sunk, k), step_of(loaded, k), 2e-4);
+}
+
+/// A round wheel that has been shifted on a flat rail, and is then placed 1 mm to the right of
+/// where it stood: what sticks stays with the rail, on the left wheel at larger y.
+TEST_F(WheelHistory, TractionsStayWithTheRail) {
+  const auto shifted = solve(
+      {"rolling.problem=shift", "history.longitudinal_shift=[-0.005, 0.0]",
+       "wheelset.lateral_shift=[0.0, 1.0]", "wheel.profile=arcs", "wheel_profile.radii=[300.0]",
+       "wheel_profile.ends=[40.0]", "wheel_profile.symmetric=true", "rail.profile=arcs",
+       "rail_profile.radii=[inf]", "rail_profile.ends=[-60.0, 60.0]", "track.inclination=none",
+       "track.rail_position=[750.0, 0.0]", "contact_grid.cell_size=[0.5, 0.5]"});
+  ASSERT_EQ(shifted.models.size(), 2U);
+  const auto middle = [](const contact::ModelResult& result) {
+    const contact::Field& along = result.points[0].fields.traction.x;
+    double sum = 0.0, moment = 0.0;
+    for (int k = 0; k < result.grid.size(); ++k) {
+      sum += along[k];
+      moment += result.grid.y(k / result.grid.nx) * along[k];
+    }
+    return moment / sum;
+  };
+  EXPECT_NEAR(middle(shifted.models[0]), 0.0, 1e-6);
+  EXPECT_GT(middle(shifted.models[1]), 0.3);
+  EXPECT_LT(middle(shifted.models[1]), 1.0);
+}
+
+TEST_F(WheelHistory, RefusesOtherModelsAndUnequalLists) {
+  EXPECT_TRUE(says(refusal<contact::InputError>([&] { solve(steps(3, "[1.0, 1.0]")); }),
+                   "3 positions, but the history has 2 steps"));
+  EXPECT_TRUE(says(refusal<contact::InputError>([&] { solve(steps(3, "1.0", {"accuracy=0.01"})); }),
+                   "one lattice"));
+}
+
+}  // namespace
