@@ -6,6 +6,9 @@
 #include "modelling/solving/solving.hpp"
 
 #include "support/case_examples.hpp"
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -64,13 +67,13 @@ void expect_forces(const contact::PointResult& a, const contact::PointResult& b,
 TEST_F(WheelHistory, ConstantConditionsLeadToSteadyRolling) {
   for (const std::string order : {"first", "second"}) {
     const Changes rule{"rolling.upwind_order=" + order};
-    const auto steady = solve(rule), rolled = solve(steps(45, "1.0", rule));
-    ASSERT_EQ(rolled.models.size(), 45U);
+    const auto steady = solve(rule), rolled = solve(steps(70, "1.0", rule));
+    ASSERT_EQ(rolled.models.size(), 70U);
     const contact::PointResult& last = rolled.models.back().points.front();
     expect_forces(last, steady.models.front().points.front(), 1e-6);
-    EXPECT_EQ(last.step, 45);
-    EXPECT_DOUBLE_EQ(last.distance, 45.0);
-    EXPECT_EQ(rolled.models.back().place->position, 45);
+    EXPECT_EQ(last.step, 70);
+    EXPECT_DOUBLE_EQ(last.distance, 70.0);
+    EXPECT_EQ(rolled.models.back().place->position, 70);
     // The first step is at rest: it carries less.
     EXPECT_LT(std::abs(rolled.models.front().points.front().longitudinal_force),
               0.5 * std::abs(last.longitudinal_force));
