@@ -190,6 +190,9 @@ struct HistoryStep : StepMotion {
   std::optional<double> normal_force;    ///< N; without any of the three, the load of the case
   std::optional<double> approach;        ///< mm
   std::optional<double> vertical_force;  ///< N, on each wheel
+  std::optional<double> time;            ///< s, at the end of the step
+  /// mm, way of the wheel itself where it is not that of its contact, step_length.
+  std::optional<double> wheel_way;
 };
 
 /// Undeformed distance instead of the radii; at most one of the two.

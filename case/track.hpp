@@ -70,6 +70,10 @@ struct Track {
   /// mm, of the origin of the rail's profile from the middle of the track outwards, and down:
   /// instead of the gauge
   std::optional<std::array<double, 2>> rail_position;
+  /// N/mm, of the springs under each rail, across and vertical; none: the rails stay in place.
+  std::optional<std::array<double, 2>> rail_stiffness;
+  /// N, on the rail besides that of the contact, to the right and down.
+  std::array<double, 2> rail_force{};
 };
 
 enum class WheelSide { left, right, both };
@@ -77,8 +81,8 @@ enum class WheelSide { left, right, both };
 /// Condition for the rotation of the wheelset, when no longitudinal creepage is given.
 enum class FreeRolling {
   none,    ///< Wheelset::rotation_change
-  force,   ///< F_x = 0 on each wheel separately
-  torque,  ///< no torque of both wheels' tractions about the axle
+  force,   ///< F_x on each wheel separately is Wheelset::longitudinal_force
+  torque,  ///< the torque of the wheels' tractions about the axle is Wheelset::axle_torque
 };
 
 /// Displacement and velocity of wheels or rails from where wheelset and track put them, left and
@@ -120,6 +124,7 @@ struct Wheelset {
   /// Relative change of the rotation against V / rolling_radius; load points. Empty: 0.
   std::vector<double> rotation_change;
   FreeRolling free_rolling = FreeRolling::none;
+  std::vector<double> longitudinal_force, axle_torque;  ///< N, N mm; load points. Empty: 0
   std::size_t positions() const { return lateral_shift.size(); }
 };
 

@@ -279,7 +279,8 @@ void read_wheel_rail(InputLines& lines, ContactCase& next) {
   if (Z == 3) pair.rail = read_profile(lines, "the file of the rail's profile");
   if (Z == 2 || Z == 3)
     pair.rail_deviations = lines.numbers({"DY", "DZ", "ROLL", "VY", "VZ", "VROLL"});
-  if ((Z == 2 || Z == 3) && digits.F == 3) lines.numbers({"KYRAIL", "FYRAIL", "KZRAIL", "FZRAIL"});
+  if ((Z == 2 || Z == 3) && digits.F == 3)
+    pair.springs = lines.numbers({"KYRAIL", "FYRAIL", "KZRAIL", "FZRAIL"}, 4);
   if (E == 3 || E == 5) {
     lines.read(pair.wheelset, {"FBDIST", "FBPOS", "NOMRAD"});
     pair.wheel = read_profile(lines, "the file of the wheel's profile");

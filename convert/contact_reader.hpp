@@ -53,6 +53,7 @@ struct WheelRail {
   int search = 2;                ///< digit D as last given anew
   std::array<double, 2> cell{};  ///< DX, DS
   double step = 1.0;             ///< DQREL: rolled in a step of T = 2, in DX
+  std::vector<double> springs;   ///< KYRAIL, FYRAIL, KZRAIL, FZRAIL
   /// GAUGHT, GAUGSQ, GAUGWD, or GAUGHT <= 0, RAILY0, RAILZ0; CANT or the roller's NOMRAD
   std::array<double, 4> track{};
   ProfileFile rail, wheel;

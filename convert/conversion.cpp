@@ -61,6 +61,13 @@ void remove_unused_values(std::vector<Point>& points) {
       point.erase("history." + name + "_shift");
     }
   }
+  const auto rolls = [](Point& point) {
+    const auto way = point.find("history.wheel_way");
+    return way == point.end() ||
+           std::abs(way->second - point["history.step_length"]) <= 1e-6 * way->second;
+  };
+  if (std::all_of(points.begin(), points.end(), rolls))
+    for (Point& point : points) point.erase("history.wheel_way");
 }
 
 /// Turns a shift into a step of rolling by `length`.
@@ -99,12 +106,13 @@ void follow_patch(const Group& group, Equivalent& next) {
       "the patch moves along x in CONTACT's axes: here the axes move with it, and it rolls");
 }
 
-/// A step of T = 1 in axes of the track rolls by VS; its patch moves by the change of S.
-void check_way(double way, Equivalent& next) {
-  const auto step = next.varied.find("history.step_length");
-  if (step == next.varied.end() || std::abs(way - step->second) <= 1e-6 * step->second) return;
-  next.impossible.push_back(fmt::format(
-      "digit T = 1: the wheel moves by {:g} mm (S) and rolls by {:g} mm (VS)", way, step->second));
+/// In a step of T = 1 in axes of the track the patch moves by the change of S.
+void set_way(double way, Equivalent& next) {
+  if (way > 0.0)
+    next.varied["history.step_length"] = way;
+  else
+    next.impossible.push_back(
+        fmt::format("digit T = 1: the contact moves by {:g} mm (S) and does not roll", way));
 }
 
 /// Gives the first step the approach of the next one, to which its force leads.
@@ -163,7 +171,8 @@ bool start_steadily(std::vector<Group>& groups, const Equivalent& next) {
         found.key() = "history." + load;
         point.insert(std::move(found));
       }
-  point["history.step_length"] = next.varied.at("history.step_length");
+  const double length = point["history.step_length"] = next.varied.at("history.step_length");
+  if (next.varied.count("history.wheel_way") != 0) point["history.wheel_way"] = length;
   if (!joins(steps, next)) return false;
   last.cases.pop_back();
   last.points.pop_back();
@@ -309,7 +318,7 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
     if (!is_chosen) continue;
     if (open) follow_patch(groups.back(), made);
     if (open && made.continues && given.module == 1 && given.digits.T == 1)
-      check_way(made.place - groups.back().place, made);
+      set_way(made.place - groups.back().place, made);
     const bool joined = made.impossible.empty() && open && can_join(groups, made);
     if (made.impossible.empty() && made.continues && !joined)
       made.impossible.push_back(

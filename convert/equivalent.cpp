@@ -229,7 +229,8 @@ void judge_bodies(const ContactCase& given, Equivalent& made) {
 void judge_problem(const ContactCase& given, Equivalent& made) {
   const int T = given.digits.T, E = given.digits.E;
   made.refuse(T > 3, "T", T, "an unknown kind of problem");
-  made.refuse(given.digits.F > 2, "F", given.digits.F, "a rail on springs");
+  made.refuse(given.digits.F > (given.module == 1 ? 3 : 2), "F", given.digits.F,
+              "an unknown kind of force");
   made.refuse(given.module == 3 && E != 0, "E", E,
               "extra rigid slip given per element (write a file for rolling.extra_slip_file)");
   made.refuse(given.module == 1 && T == 1 && forward_speed(given) == 0.0,

@@ -88,7 +88,7 @@ Forward forward_of(const ContactCase& given, Equivalent& made) {
 
 /// Rotation of the wheelset by the forward speed, rad/mm.
 double rotation_of(const ContactCase& given, const Forward& forward) {
-  if (given.digits.F != 0) return 1.0 / given.wheel_rail.wheelset[2];
+  if (given.digits.F == 1 || given.digits.F == 2) return 1.0 / given.wheel_rail.wheelset[2];
   return -forward.sign * given.wheel_rail.velocity[5] / forward.speed;
 }
 
@@ -105,18 +105,32 @@ void fill_motion(const ContactCase& given, const Forward& forward, Equivalent& m
                      is_list_of_sections(given.wheel_rail.wheel.name)))
     made.set("wheelset", "vertical_velocity", vz / speed, "VZ / VS");
   const double change = rotation_of(given, forward) * radius - 1.0;
-  if (digits.F == 0 && made.history())
+  const bool by_force = digits.F == 1 || digits.F == 2;
+  if (!by_force && made.history())
     made.varied["wheelset.rotation_change"] = change;
-  else if (digits.F == 0)
+  else if (!by_force)
     made.set("wheelset", "rotation_change", change, "-VPITCH NOMRAD / VS - 1");
-  else if (made.history())
-    made.refuse(true, "digits T and F: a prescribed force or moment in time");
-  else if (digits.F == 1 && vpitch == 0.0)
-    made.set_word("wheelset", "free_rolling", digits.T == 0 ? "none" : "force");
-  else
-    made.refuse(true, fmt::format("digit F = {}: a prescribed force or moment on the wheel other "
-                                  "than zero force",
-                                  digits.F));
+  if (!by_force) return;
+  made.set_word("wheelset", "free_rolling", digits.F == 1 ? "force" : "torque");
+  // Both are on the rail: MY turns the wheel forward.
+  if (digits.F == 2)
+    made.varied["wheelset.axle_torque"] = forward.sign * vpitch;
+  else if (vpitch != 0.0 || made.history())
+    made.varied["wheelset.longitudinal_force"] = -forward.sign * vpitch;
+}
+
+/// Rails on springs.
+void fill_springs(const ContactCase& given, Equivalent& made) {
+  if (given.digits.F != 3) return;
+  const std::vector<double>& values = given.wheel_rail.springs;
+  if (values.empty()) return made.refuse(true, "digit F = 3 without KYRAIL to FZRAIL (digit Z)");
+  // With N = 1 the height of the rail has no effect.
+  constexpr double rigid = 1e9;
+  const bool by_height = given.digits.N == 0;
+  made.set_list("track", "rail_stiffness", {values[0], by_height ? values[2] : rigid},
+                "N/mm, KYRAIL and KZRAIL");
+  made.set_list("track", "rail_force", {values[1], by_height ? values[3] : 0.0},
+                "N, FYRAIL and FZRAIL");
 }
 
 /// CONTACT turns a displaced wheel and roller about the axles that they have without displacement,
@@ -191,12 +205,14 @@ void fill_wheelset(const ContactCase& given, Equivalent& made) {
   made.varied["wheelset.roll"] = roll;
   fill_displacements(given, forward, made);
   if (given.digits.T != 0) fill_motion(given, forward, made);
+  fill_springs(given, made);
   made.place = forward.sign * s;
   if (!made.history()) return;
-  // T = 1 in axes of the track: the wheel rolls VS, and its patch moves as far.
-  made.varied["history.step_length"] =
-      given.digits.T == 1 ? forward.speed : pair.step * pair.cell[0];
-  made.note(given.digits.T == 1, "steps of T = 1 roll by VS, which is the change of S");
+  // T = 1 in axes of the track: the wheel moves by VS, its patch by the change of S.
+  const bool shifted = given.digits.T == 1;
+  made.varied["history.step_length"] = shifted ? forward.speed : pair.step * pair.cell[0];
+  if (shifted) made.varied["history.wheel_way"] = forward.speed;
+  made.note(shifted, "steps of T = 1: the contact moves by the change of S, the wheel by VS");
   made.problem = "transient";
 }
 

@@ -8,11 +8,12 @@
 #include "case/case.hpp"
 #include "scene/friction_law.hpp"
 #include "scene/geometry.hpp"
-#include "scene/step_past.hpp"
 
 #include <string>
 
 namespace rollfem::contact {
+
+struct StepPast;  // scene/step_past.hpp
 
 /// Load that presses the bodies together: exactly one of the two; both ignored with a given
 /// pressure.

@@ -5,9 +5,11 @@
 #pragma once
 
 #include "base/grid.hpp"
+#include "case/case.hpp"
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace rollfem::contact {
@@ -30,13 +32,21 @@ struct PastLevel {
   std::array<double, 2> lengths{};
 };
 
+/// A step and the one before as one step, which says how far forces depend on the length of steps.
+struct DoubledStep {
+  PastLevel level;  ///< the past before both, on the elements of the next to finest level
+  double step_length = 0.0;
+  Creepage creepage;  ///< the mean
+};
+
 struct StepPast {
-  std::vector<PastLevel> levels;  ///< the coarsest first
-  int steps = 0;                  ///< before this one
-  double distance = 0.0;          ///< mm rolled in them
-  std::array<double, 3> shift{};  ///< mm, mm, rad: sum of their shifts
-  /// What the step leaves in its turn, in its own frame: one for each level, set by the model;
-  /// empty grids where it has no solution.
+  std::vector<PastLevel> levels;       ///< the coarsest first
+  std::optional<DoubledStep> doubled;  ///< none: error bars leave out the length of the step
+  int steps = 0;                       ///< before this one
+  double distance = 0.0;               ///< mm rolled in them
+  std::array<double, 3> shift{};       ///< mm, mm, rad: sum of their shifts
+  /// What the step leaves in its turn, in its own frame: one for each level, and one for the
+  /// doubled step, set by the model; empty grids where it has no solution.
   std::shared_ptr<PastPatches> left = std::make_shared<PastPatches>();
 };
 

@@ -6,9 +6,9 @@
 #include "base/pi.hpp"
 #include "base/profile_drop.hpp"
 #include "case/checks/case_rules.hpp"
+#include "case/checks/history_checks.hpp"
 #include "case/checks/irregularity_checks.hpp"
 #include "case/keys/case_text.hpp"
-#include "case/keys/key_builder.hpp"
 
 #include <fmt/format.h>
 
@@ -473,38 +473,6 @@ void check_places(const GivenCase& given, const Case& input, bool bodies) {
   }
 }
 
-/// Positions of a wheel in a history are its steps: lists over both have one length.
-void follow_positions(const GivenCase& given, Case& input) {
-  Wheelset& wheelset = input.wheelset;
-  const std::size_t steps = input.rolling.creepages.size(), positions = wheelset.positions();
-  const GivenValue* loads = given.find("history", "vertical_force");
-  const bool loads_differ = loads != nullptr && length_of(loads->value) > 1;
-  if (positions == 1 && !loads_differ) return;
-  if (positions > 1 && steps > 1 && positions != steps)
-    for (const auto& [key, value] : given.values)
-      if (key->per == "positions" && length_of(value.value) > 1)
-        fail_at(given, key->path(),
-                fmt::format("has {} positions, but the history has {} steps: in a history the "
-                            "positions follow each other",
-                            positions, steps),
-                "one position for each step, or a single number for all",
-                "make the lists equally long");
-  const std::size_t count = std::max(steps, positions);
-  grow_load_points(input, count);
-  for (auto* list : {&wheelset.lateral_shift, &wheelset.yaw, &wheelset.roll, &wheelset.height,
-                     &wheelset.track_position, &wheelset.wheel_angle})
-    if (!list->empty()) list->resize(count, list->front());
-  for (const auto& [section, name] : {std::pair("", "accuracy"),
-                                      {"contact_grid", "extent"},
-                                      {"contact_grid", "middle"},
-                                      {"halfspace", "model_error"}})
-    if (given.find(section, name) != nullptr)
-      fail_at(given, find_key(section, name)->path(),
-              "is not possible where the positions of a wheel are the steps of a history, whose "
-              "elements lie on one lattice",
-              "contact_grid.elements_across or cell_size", "remove it, or give one position");
-}
-
 void complete(const GivenCase& given, Case& input) {
   Problem& problem = input.rolling.problem;
   if (problem == Problem::frictionless && !input.history.empty()) {
@@ -548,7 +516,7 @@ void complete(const GivenCase& given, Case& input) {
   };
   extend({&wheelset.lateral_shift, &wheelset.yaw, &wheelset.roll, &wheelset.height,
           &wheelset.track_position, &wheelset.wheel_angle});
-  if (input.has_profiles() && !input.history.empty()) follow_positions(given, input);
+  complete_history(given, input);
   for (Body* body : {static_cast<Body*>(&input.wheel), static_cast<Body*>(&input.rail)})
     if (body->plasticity) {
       auto& residual = body->plasticity->residual;

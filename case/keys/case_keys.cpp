@@ -83,7 +83,10 @@ void grow_load_points(Case& input, std::size_t count) {
     if (!entries.empty()) entries.resize(creepages.size(), entries.front());
   };
   follow(input.rolling.forces);
-  follow(input.wheelset.rotation_change);
+  Wheelset& wheelset = input.wheelset;
+  for (auto* list :
+       {&wheelset.rotation_change, &wheelset.longitudinal_force, &wheelset.axle_torque})
+    follow(*list);
   follow(input.history);
 }
 

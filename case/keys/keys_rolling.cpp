@@ -125,14 +125,22 @@ SectionWithKeys history_section() {
     keys.add(shift.name, of_each(&Case::history, shift.member), unit(shift.unit),
              within(shift.largest), otherwise("0"), shift.sentence);
   keys.add("step_length", of_each(&Case::history, &HistoryStep::step_length), unit("mm"),
-           positive(), otherwise("required by `transient`"),
+           positive(), otherwise("the differences of track_position or of time"),
            "Distance that the wheel rolls in each step (transient); error bars count it. An "
            "element or a tenth of the patch is short enough.");
+  keys.add("time", of_each(&Case::history, &HistoryStep::time), unit("s"), within(1e6), ascending,
+           otherwise("step_length"),
+           "At the end of each step, with rolling.speed, instead of step_length; the first step is "
+           "as long as the second.");
+  keys.add("wheel_way", of_each(&Case::history, &HistoryStep::wheel_way), unit("mm"), within(1e3),
+           otherwise("step_length"),
+           "With positions that follow each other: way of the wheel itself in each step, if it "
+           "is not that of its contact.");
   keys.add("motion", &Case::moves_by_positions, {{"velocities", false}, {"positions", true}},
            silent_default, otherwise("velocities"),
            "Where several positions of a wheel follow each other: its lateral, yaw and roll "
            "velocity are those of its section, or the differences of the positions over "
-           "step_length.");
+           "step_length; a shift is then the difference too.");
   return keys;
 }
 

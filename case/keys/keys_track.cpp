@@ -42,6 +42,11 @@ SectionWithKeys track_section() {
            otherwise("the gauge places the rails"),
            "Where the origin of the rail's profile is, from the middle of the track outwards and "
            "down, instead of the gauge.");
+  keys.add("rail_stiffness", &Track::rail_stiffness, unit("N/mm"), between(1.0, largest),
+           otherwise("the rails stay in place"),
+           "Of springs without mass on which each rail stands, across and vertical.");
+  keys.add("rail_force", &Track::rail_force, unit("N"), within(largest_force), silent_default,
+           "On each rail besides that of its wheel, to the right and down, with rail_stiffness.");
   keys.add(KeyKind::lean, "inclination",
            Access<Track>{
                [](const Track& track) { return lean_of(track.inclination); },
@@ -112,9 +117,14 @@ void add_motion(WheelsetKeys& keys, const std::string& lateral, const Choices<Fr
            "brakes. A list gives a creep curve; not with longitudinal_creepage.");
   keys.add("free_rolling", &Wheelset::free_rolling, free,
            "Condition instead of rotation_change: " + conditions);
+  keys.add("longitudinal_force", of_each(&Wheelset::longitudinal_force), symbol("F_x"), unit("N"),
+           within(largest_force), otherwise("0"),
+           "With free_rolling = \"force\": the force of the rail on each wheel along the way, "
+           "negative when braking.");
 }
 
-const std::string no_force = "`force`: F_x = 0 on each wheel separately";
+const std::string no_force =
+    "`force`: F_x on each wheel separately is longitudinal_force, otherwise 0";
 
 SectionWithKeys wheelset_section() {
   WheelsetKeys keys =
@@ -130,7 +140,11 @@ SectionWithKeys wheelset_section() {
   add_motion(
       keys, "to the right",
       {{"none", FreeRolling::none}, {"force", FreeRolling::force}, {"torque", FreeRolling::torque}},
-      no_force + "; `torque`: zero torque of both wheels about the axle.");
+      no_force + "; `torque`: that of both wheels about the axle is axle_torque, otherwise 0.");
+  keys.add("axle_torque", of_each(&Wheelset::axle_torque), unit("N mm"), within(largest_force),
+           otherwise("0"),
+           "With free_rolling = \"torque\": torque of the contact forces on both wheels about "
+           "the axle, positive if it turns them forward (when braking).");
   return keys;
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "contact/iteration/interpolation.hpp"
+#include "scene/step_past.hpp"
 
 #include <fmt/format.h>
 

@@ -133,7 +133,8 @@ struct Beside {
       const auto steps = halfspace::divided_steps(without(scene), length);
       HalfspaceLevels shorter(steps.scene);
       if (const LevelResult* divided = shorter.solve(whole->grid))
-        return halfspace::add_step_errors(whole->points, divided->points, steps, finest.points);
+        return halfspace::add_step_errors(whole->points, divided->points, steps.ends, 2.0,
+                                          finest.points);
     }
     finest.notes.push_back({"steps", halfspace::steps_left_out});
   }

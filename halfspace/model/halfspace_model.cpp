@@ -242,11 +242,33 @@ std::string set_bars(const Scene& scene, Levels& levels) {
   return warning;
 }
 
+/// The bars of a step of a wheel's history from the length of its steps.
+void count_doubled_step(const Scene& scene, const Cell& cell, Levels& levels,
+                        const contact::Progress& progress, const GridElasticity& elasticity,
+                        ModelResult& result) {
+  if (!scene.past->doubled) return;
+  const contact::DoubledStep& doubled = *scene.past->doubled;
+  Scene merged = on_lattice(scene, doubled.level);
+  merged.points.front().step_length = doubled.step_length;
+  merged.points.front().creepage = doubled.creepage;
+  std::optional<contact::LevelResult> whole;
+  if (levels.coarse)
+    whole = coarser_level(merged, PatchSearch(merged, detail_for(merged)), cell, nullptr, true,
+                          progress, elasticity);
+  scene.past->left->push_back(whole ? left_by(*whole) : contact::PastPatch());
+  if (whole)
+    add_step_errors(levels.coarse->points, whole->points, {0}, 1.0, levels.fine->points);
+  else
+    result.notes.push_back({"steps", steps_left_out});
+}
+
 /// On cells of twice the size, because with four elements across the changes are uneven; the
 /// accuracy asked for must hold with these errors too.
 void count_steps(const Scene& scene, const PatchSearch& area, const std::vector<Cell>& cells,
                  Levels& levels, const contact::Progress& progress,
                  const GridElasticity& elasticity, ModelResult& result) {
+  if (scene.past && cells.size() > 1)
+    return count_doubled_step(scene, cells[cells.size() - 2], levels, progress, elasticity, result);
   if (scene.problem != contact::Problem::transient || scene.past || !levels.coarse) return;
   const DividedSteps steps = divided_steps(scene, area.extent().length);
   const auto divided = coarser_level(steps.scene, area, cells[cells.size() - 2], nullptr, true,
@@ -255,7 +277,7 @@ void count_steps(const Scene& scene, const PatchSearch& area, const std::vector<
     result.notes.push_back({"steps", steps_left_out});
     return;
   }
-  add_step_errors(levels.coarse->points, divided->points, steps, levels.fine->points);
+  add_step_errors(levels.coarse->points, divided->points, steps.ends, 2.0, levels.fine->points);
   if (!scene.accuracy.relative || !result.shortfall.empty()) return;
   const contact::WorstError worst =
       contact::worst_error(scene.accuracy, scene.friction_coefficient(), levels.fine->points);
@@ -427,7 +449,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
     const Cell cell = cells[level];
     const bool last = level + 1 == cells.size();
     std::optional<Scene> on_its_lattice;
-    if (scene.past) on_its_lattice = on_lattice(scene, level);
+    if (scene.past) on_its_lattice = on_lattice(scene, scene.past->levels[level]);
     const Scene& here = scene.past ? *on_its_lattice : scene;
     const PatchSearch here_area(here, detail_for(scene));
     const contact::LevelResult* start =

@@ -57,13 +57,14 @@ DividedSteps divided_steps(const Scene& scene, double patch_length) {
   return divided;
 }
 
-void add_step_errors(const std::vector<PointResult>& whole, const std::vector<PointResult>& divided,
-                     const DividedSteps& steps, std::vector<PointResult>& fine) {
+void add_step_errors(const std::vector<PointResult>& whole, const std::vector<PointResult>& others,
+                     const std::vector<std::size_t>& ends, double factor,
+                     std::vector<PointResult>& fine) {
   for (std::size_t k = 0; k < fine.size(); ++k)
     for (auto& [name, bar] : fine[k].error_estimate) {
       const contact::Quantity& quantity = contact::quantity_named(name);
-      const auto a = quantity.value(whole[k]), b = quantity.value(divided[steps.ends[k]]);
-      if (a && b) bar = std::hypot(bar, 2.0 * (*a - *b));
+      const auto a = quantity.value(whole[k]), b = quantity.value(others[ends[k]]);
+      if (a && b) bar = std::hypot(bar, factor * (*a - *b));
     }
 }
 

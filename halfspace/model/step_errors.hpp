@@ -22,14 +22,16 @@ struct DividedSteps {
 /// constant over a step, loads and prescribed forces change linearly.
 DividedSteps divided_steps(const contact::Scene& scene, double patch_length);
 
-/// Adds to the error bars of `fine` twice the change between steps as given (`whole`) and divided,
-/// both on the same coarse elements: the error of halved steps of order 1.
+/// Adds to the error bars of `fine` a multiple of the change between steps as given (`whole`) and
+/// others, both on the same coarse elements: of order 1, twice that of halved steps and once that
+/// of doubled ones. `ends`: the other point that ends each step.
 void add_step_errors(const std::vector<contact::PointResult>& whole,
-                     const std::vector<contact::PointResult>& divided, const DividedSteps& steps,
+                     const std::vector<contact::PointResult>& others,
+                     const std::vector<std::size_t>& ends, double factor,
                      std::vector<contact::PointResult>& fine);
 
 /// The note where there is no solution in shorter steps.
 inline constexpr const char* steps_left_out =
-    "error bars leave out the length of the steps: no solution with shorter ones";
+    "error bars leave out the length of the steps: no solution with other ones";
 
 }  // namespace rollfem::halfspace

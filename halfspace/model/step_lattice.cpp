@@ -95,10 +95,10 @@ class LeftTractions {
 
 }  // namespace
 
-Scene on_lattice(const Scene& scene, std::size_t level) {
+Scene on_lattice(const Scene& scene, const contact::PastLevel& level) {
   Scene own = scene;
   auto past = std::make_shared<contact::StepPast>(*scene.past);
-  past->levels = {scene.past->levels.at(level)};
+  past->levels = {level};
   own.contact_grid.cell_size = past->levels.front().cell;
   own.contact_grid.middle = past->levels.front().middle;
   own.past = std::move(past);

@@ -5,13 +5,14 @@
 
 #include "contact/solve/contact_run.hpp"
 #include "scene/scene.hpp"
+#include "scene/step_past.hpp"
 
 #include <cstddef>
 
 namespace rollfem::halfspace {
 
 /// The scene on the lattice of one level of its past, with that level alone.
-contact::Scene on_lattice(const contact::Scene& scene, std::size_t level);
+contact::Scene on_lattice(const contact::Scene& scene, const contact::PastLevel& level);
 
 /// The past of such a scene on a grid of its lattice, which need not hold all elements that were in
 /// contact: u' = A p', by the half-space on a grid that holds them too.

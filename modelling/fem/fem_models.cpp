@@ -167,6 +167,8 @@ void repeat_load_points(const GivenCase& given, Case& input) {
   repeat(input.rolling.creepages);
   repeat(input.rolling.forces);
   repeat(input.wheelset.rotation_change);
+  repeat(input.wheelset.longitudinal_force);
+  repeat(input.wheelset.axle_torque);
 }
 
 void complete(const GivenCase& given, Case& input) {

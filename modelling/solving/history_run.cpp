@@ -2,9 +2,13 @@
 #include "modelling/solving/history_run.hpp"
 
 #include "base/errors.hpp"
+#include "base/root.hpp"
 #include "base/threads.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "scene/step_past.hpp"
+#include "track/balance/springs.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 #include <fmt/format.h>
 
@@ -13,6 +17,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace rollfem::modelling {
@@ -22,6 +27,7 @@ namespace {
 using contact::Case;
 using contact::ContactGrid;
 using contact::Field;
+using contact::FreeRolling;
 using contact::ModelResult;
 using contact::PastLevel;
 using contact::PastPatch;
@@ -33,7 +39,7 @@ using contact::StepPast;
 using Interval = std::array<double, 2>;
 
 /// Cells of the finest grid, of twice and of four times the size: the error bars of each step come
-/// from three histories.
+/// from three histories, and from one in steps twice as long on cells of twice the size.
 constexpr std::size_t most_levels = 3;
 constexpr int fewest_on_coarsest = 4;
 /// Patches by which the size of the elements is chosen.
@@ -81,51 +87,151 @@ double apart(const Interval& interval, double y) {
   return std::max({0.0, interval[0] - y, y - interval[1]});
 }
 
-/// One wheel on its rail.
+/// What all wheels of a history share.
+struct Run {
+  const Case& input;
+  const track::PlacedWheels& placed;
+  const std::string& model;
+  std::vector<contact::Note> notes;
+  const Solving& how;
+};
+
+/// What lies on elements of one size, in the material of the rail.
+struct Level {
+  std::array<double, 2> cell{};
+  PastPatches last, before_last;
+  std::array<double, 2> lengths{};
+  double way = 0.0;  ///< mm rolled up to the last step
+};
+
+/// One wheel on its rail. Each step: begin, solve (as often as its loads and rotation ask), end.
 class WheelHistory {
  public:
-  WheelHistory(const Case& input, const track::SearchScene& search, const std::string& model,
-               const Scenes& scenes, const Solving& how)
-      : input_(input), search_(search), model_(model), notes_(scenes.notes), how_(how) {
-    notes_.push_back(
-        {"steps",
-         "the positions of this wheel follow each other; elements lie on one lattice in "
-         "the material of the rail; error bars leave out the length of the steps"});
+  WheelHistory(const Run& run, std::vector<Scene> scenes) : run_(run), scenes_(std::move(scenes)) {
+    if (!scenes_.empty()) choose_cells();
   }
 
-  void add(const Scene& scene) { scenes_.push_back(scene); }
+  bool touches(std::size_t k) const {
+    return next_ < scenes_.size() && scenes_[next_].place->position == static_cast<int>(k) + 1;
+  }
 
-  /// Results in the order of the scenes.
-  std::vector<ModelResult> solve() {
-    std::vector<ModelResult> all;
-    if (scenes_.empty()) return all;
-    choose_cells();
-    for (auto first = scenes_.begin(); first != scenes_.end();) {
-      const auto end = std::find_if(first, scenes_.end(), [&](const Scene& scene) {
-        return scene.place->position != first->place->position;
-      });
-      std::vector<ModelResult> results = step({first, end});
-      std::move(results.begin(), results.end(), std::back_inserter(all));
-      first = end;
+  void begin(std::size_t k) {
+    skip_to(k);
+    std::vector<Scene> contacts;
+    for (; touches(k); ++next_) contacts.push_back(scenes_[next_]);
+    take(std::move(contacts));
+    steady_ = contacts_.front().problem_of(0) == Problem::steady;
+    length_ = run_.input.history.at(k).step_length;
+    if (!steady_) way_ += length_;
+    if (!first_) first_ = origin_of(contacts_.front());
+    step_ = k;
+  }
+
+  /// Puts the wheel where the springs under its rail hold it.
+  void settle() {
+    const Case here = track::case_at(run_.input, step_);
+    const auto place = [&](const track::RailVector& at) {
+      take(
+          track::on_moved_rail(here, run_.placed.search, static_cast<int>(step_) + 1, at).balanced);
+    };
+    rail_ = track::settled_rail(
+        here.track, rail_, here.load.vertical_force.has_value(), [&](const track::RailVector& at) {
+          place(at);
+          track::RailVector force{};
+          for (const ModelResult& result : solve(true))
+            track::add_force_on_rail(*result.place, result.points.front().normal_force,
+                                     result.points.front().lateral_force, force);
+          return force;
+        });
+    place(rail_);
+  }
+
+  /// Gives the contacts the creepages of a rotation of the wheel.
+  void turn(double rotation) {
+    const Case here = track::case_at(run_.input, step_);
+    for (Scene& scene : contacts_) {
+      track::PlacedScene placed{scene, track::contact_of(scene, run_.placed.scenes)};
+      track::set_rotation_changes(placed, here, {rotation});
+      scene = std::move(placed.scene);
     }
-    return all;
+  }
+
+  /// F_x of the wheel times minus its radius, or the moment about its axle, N mm, on the finest
+  /// elements; the load of the wheel, N.
+  std::array<double, 2> torque() {
+    const bool by_force = run_.input.wheelset.free_rolling == FreeRolling::force;
+    double sum = 0.0, load = 0.0;
+    const std::vector<ModelResult> results = solve(true);
+    for (std::size_t c = 0; c < results.size(); ++c) {
+      const contact::PointResult& point = results[c].points.front();
+      load += point.normal_force;
+      sum += by_force ? -point.longitudinal_force * run_.input.wheel.rolling_radius
+                      : track::driving_moment(track::contact_of(contacts_[c], run_.placed.scenes),
+                                              {point.longitudinal_force, point.lateral_force,
+                                               point.normal_force, point.spin_moment});
+    }
+    return {sum, load};
+  }
+
+  std::vector<ModelResult> solve(bool finest_alone = false) {
+    const contact::HistoryStep& given = run_.input.history.at(step_);
+    const auto load = given.vertical_force ? given.vertical_force : run_.input.load.vertical_force;
+    for (int turn = 0;; ++turn) {
+      for (std::size_t c = 0; c < contacts_.size(); ++c)
+        contacts_[c].past = past_of(c, finest_alone);
+      contact::CheckpointPart kept(run_.how.checkpoint,
+                                   turn > 0 ? fmt::format("turn{}-", turn) : "");
+      Solving how = run_.how;
+      how.checkpoint = run_.how.checkpoint != nullptr && !finest_alone ? &kept : nullptr;
+      std::vector<ModelResult> results;
+      auto notes = run_.notes;
+      if (run_.input.track.rail_stiffness)
+        notes.push_back({"rail_springs", track::springs_text(rail_)});
+      for (const Scene& scene : contacts_)
+        results.push_back(solve_scene(run_.model, scene, notes, how));
+      if (contacts_.size() < 2 || !load || !share(*load, results)) return results;
+      if (turn == most_turns)
+        throw contact::SolveError(
+            contacts_.front().where(),
+            "the shares of {} contacts in {:g} N do not settle with the friction of this step in "
+            "{} turns",
+            contacts_.size(), *load, most_turns);
+    }
+  }
+
+  /// Hands on what the step has left.
+  void end(const std::vector<ModelResult>& results) {
+    if (results.empty()) {  // a rail that has given way
+      way_ -= steady_ ? 0.0 : length_;
+      return;
+    }
+    const std::size_t more = doubles() ? 1 : 0;
+    for (std::size_t n = 0; n < levels_.size(); ++n) hand_on(levels_[n], levels_.size() - n + more);
+    Level& doubled = doubled_[step_ % 2];
+    if (more > 0) hand_on(doubled, 1);
+    // Such a history begins with one of the first two steps, and anew where it had no solution.
+    if (more == 0 || doubled.last.empty()) doubled = levels_[levels_.size() - 2];
+    creepages_.clear();
+    for (const Scene& scene : contacts_)
+      creepages_.emplace_back(origin_of(scene).y, scene.points.front().creepage);
+    past_.steps = static_cast<int>(step_) + 1;
+    const contact::PointResult& point = results.front().points.front();
+    past_.distance = point.distance;
+    past_.shift = {point.longitudinal_shift, point.lateral_shift, point.spin_shift};
   }
 
  private:
-  /// What lies on the elements of one size, in the material of the rail.
-  struct Level {
-    std::array<double, 2> cell{};
-    PastPatches last, before_last;
-    std::array<double, 2> lengths{};
-  };
+  void take(std::vector<Scene> contacts) {
+    contacts_ = std::move(contacts);
+    for (Scene& scene : contacts_) scene.contact_grid.cell_size = levels_.back().cell;
+  }
 
   /// As many elements across as asked for in the middle one of some patches.
   void choose_cells() {
     std::vector<double> lengths, widths;
-    for (std::size_t k = 0; k < std::min(measured_patches, scenes_.size()); ++k) {
-      const std::size_t parts =
-          std::max<std::size_t>(1, std::min(measured_patches, scenes_.size()) - 1);
-      const Scene& scene = scenes_[k * (scenes_.size() - 1) / parts];
+    const std::size_t count = std::min(measured_patches, scenes_.size());
+    for (std::size_t k = 0; k < count; ++k) {
+      const Scene& scene = scenes_[k * (scenes_.size() - 1) / std::max<std::size_t>(1, count - 1)];
       if (scene.place->patch > 1 && k > 0) continue;
       const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
       lengths.push_back(extent.length);
@@ -133,9 +239,9 @@ class WheelHistory {
     }
     for (std::vector<double>* sizes : {&lengths, &widths}) std::sort(sizes->begin(), sizes->end());
     const double length = lengths[lengths.size() / 2], width = widths[widths.size() / 2];
-    const double across = input_.contact_grid.elements_across;
-    std::array<double, 2> cell{length / across, width / across};
-    if (input_.contact_grid.cell_size) cell = *input_.contact_grid.cell_size;
+    const double across = run_.input.contact_grid.elements_across;
+    auto cell = run_.input.contact_grid.cell_size.value_or(
+        std::array<double, 2>{length / across, width / across});
     double fewest = std::min(length / cell[0], width / cell[1]);
     for (; levels_.size() < 2 || (levels_.size() < most_levels && fewest >= fewest_on_coarsest);
          fewest *= 0.5) {
@@ -147,63 +253,67 @@ class WheelHistory {
   Origin origin_of(const Scene& scene) const {
     const contact::ContactPlace& place = *scene.place;
     return {way_ + place.x_track,
-            place.outward() * search_.profiles.rail.parameter_at(place.y_rail)};
-  }
-
-  std::vector<ModelResult> step(std::vector<Scene> contacts) {
-    const std::size_t k = static_cast<std::size_t>(contacts.front().place->position) - 1;
-    skip_to(k);
-    const bool steady = contacts.front().problem_of(0) == Problem::steady;
-    const bool rolls = contacts.front().problem == Problem::transient;
-    const double length = rolls ? contacts.front().points.front().step_length : 0.0;
-    if (!steady) way_ += length;
-    if (first_.empty()) first_ = {origin_of(contacts.front())};
-    for (Scene& scene : contacts) scene.contact_grid.cell_size = levels_.back().cell;
-    std::vector<ModelResult> results = solve_contacts(contacts, k);
-    hand_on(contacts, steady, steady ? next_length(k) : length);
-    past_.steps = static_cast<int>(k) + 1;
-    const contact::PointResult& point = results.front().points.front();
-    past_.distance = point.distance;
-    past_.shift = {point.longitudinal_shift, point.lateral_shift, point.spin_shift};
-    return results;
+            place.outward() * run_.placed.search.profiles.rail.parameter_at(place.y_rail)};
   }
 
   /// Steps in which the wheel has not touched its rail leave nothing.
   void skip_to(std::size_t k) {
-    for (std::size_t missed = static_cast<std::size_t>(past_.steps); missed < k; ++missed) {
-      const double length = input_.history.at(missed).step_length;
+    for (auto missed = static_cast<std::size_t>(past_.steps); missed < k; ++missed) {
+      const double length = run_.input.history.at(missed).step_length;
       way_ += length;
       past_.distance += length;
-      for (Level& level : levels_) level = {level.cell, {}, {}, {}};
+      for (Level& level : levels_) level = {level.cell, {}, {}, {}, way_};
+      began_ = k;
     }
   }
 
-  double next_length(std::size_t k) const {
-    return k + 1 < input_.history.size() ? input_.history[k + 1].step_length : 0.0;
+  /// Whether this step and the one before are solved as one step, too.
+  bool doubles() const {
+    return levels_.size() > 1 && !steady_ && length_ > 0.0 && step_ >= began_ + 2;
   }
 
-  std::shared_ptr<const StepPast> past_of(const std::vector<Scene>& contacts,
-                                          std::size_t own) const {
+  std::shared_ptr<const StepPast> past_of(std::size_t own, bool finest_alone) const {
     std::vector<Interval> ranges;
-    for (const Scene& scene : contacts) {
+    for (const Scene& scene : contacts_) {
       const halfspace::PatchSearch search(scene, halfspace::SearchDetail::box);
       const double y = origin_of(scene).y;
       ranges.push_back({y + search.patch().y_lower, y + search.patch().y_upper});
     }
-    const Origin origin = origin_of(contacts[own]);
-    auto past = std::make_shared<StepPast>(past_);
-    past->left = std::make_shared<PastPatches>();
-    for (const Level& level : levels_) {
+    const Origin origin = origin_of(contacts_[own]);
+    const auto seen = [&](const Level& level) {
       PastLevel here;
       here.cell = level.cell;
-      here.middle = {-std::remainder(origin.x - first_.front().x, level.cell[0]),
-                     -std::remainder(origin.y - first_.front().y, level.cell[1])};
+      here.middle = {-std::remainder(origin.x - first_->x, level.cell[0]),
+                     -std::remainder(origin.y - first_->y, level.cell[1])};
       here.lengths = level.lengths;
       here.last = inherited(level.last, ranges, own, origin);
       here.before_last = inherited(level.before_last, ranges, own, origin);
-      past->levels.push_back(std::move(here));
-    }
+      return here;
+    };
+    auto past = std::make_shared<StepPast>(past_);
+    past->left = std::make_shared<PastPatches>();
+    for (const Level& level : levels_)
+      if (!finest_alone || &level == &levels_.back()) past->levels.push_back(seen(level));
+    if (!doubles() || finest_alone) return past;
+    const Level& before = doubled_[step_ % 2];
+    const double length = way_ - before.way;
+    past->doubled = {seen(before), length, mean_creepage(own, length_ / length)};
     return past;
+  }
+
+  /// Of this step, with its part of the way, and the one before.
+  contact::Creepage mean_creepage(std::size_t own, double part) const {
+    const contact::Creepage& now = contacts_[own].points.front().creepage;
+    const double y = origin_of(contacts_[own]).y;
+    const auto nearest =
+        std::min_element(creepages_.begin(), creepages_.end(), [y](const auto& a, const auto& b) {
+          return std::abs(a.first - y) < std::abs(b.first - y);
+        });
+    if (nearest == creepages_.end() || creepages_.size() != contacts_.size()) return now;
+    const contact::Creepage& before = nearest->second;
+    const auto mean = [part](double a, double b) { return part * a + (1.0 - part) * b; };
+    return {mean(now.longitudinal, before.longitudinal), mean(now.lateral, before.lateral),
+            mean(now.spin, before.spin)};
   }
 
   /// The rows of earlier patches that a contact covers, which are nearer to it than to the others.
@@ -231,102 +341,126 @@ class WheelHistory {
     return found;
   }
 
-  /// A level on which a contact had no solution has lost its past, for error bars alone.
-  void drop_unsolved(const std::vector<Scene>& contacts) {
-    std::size_t lost = 0;
-    for (const Scene& scene : contacts)
-      for (std::size_t n = 0; n + 1 < levels_.size(); ++n)
-        if (scene.past->left->at(n).grid.size() == 0) lost = std::max(lost, n + 1);
-    levels_.erase(levels_.begin(), levels_.begin() + static_cast<std::ptrdiff_t>(lost));
+  /// `from_end`: which of what each contact has left. Elements on which a contact had no solution
+  /// keep nothing of it. Steady rolling leaves what it would have left one step before too, if the
+  /// lattice has that place.
+  void hand_on(Level& level, std::size_t from_end) const {
+    const double length = steady_ ? next_length() : way_ - level.way;
+    level.before_last = std::move(level.last);
+    level.last.clear();
+    for (const Scene& scene : contacts_) {
+      const PastPatches& all = *scene.past->left;
+      PastPatch left = all.at(all.size() - from_end);
+      if (left.grid.size() == 0) continue;
+      const Origin origin = origin_of(scene);
+      move(left.grid, origin.x, origin.y);
+      level.last.push_back(std::move(left));
+    }
+    level.lengths = {length, level.lengths[0]};
+    level.way = way_;
+    if (!steady_) return;
+    const double elements = length / level.cell[0];
+    const bool whole = std::abs(elements - std::round(elements)) < 1e-9 * elements;
+    level.before_last = whole ? level.last : PastPatches();
+    level.lengths[1] = whole ? length : 0.0;
+    for (PastPatch& patch : level.before_last) move(patch.grid, -length, 0.0);
   }
 
-  /// Steady rolling leaves what it would have left one step before too, if the lattice has that
-  /// place.
-  void hand_on(const std::vector<Scene>& contacts, bool steady, double length) {
-    drop_unsolved(contacts);
-    for (std::size_t n = 0; n < levels_.size(); ++n) {
-      Level& level = levels_[n];
-      level.before_last = std::move(level.last);
-      level.last.clear();
-      for (const Scene& scene : contacts) {
-        const PastPatches& all = *scene.past->left;
-        PastPatch left = all.at(all.size() - levels_.size() + n);
-        const Origin origin = origin_of(scene);
-        move(left.grid, origin.x, origin.y);
-        level.last.push_back(std::move(left));
-      }
-      level.lengths = {length, level.lengths[0]};
-      if (!steady) continue;
-      const double elements = length / level.cell[0];
-      const bool whole = std::abs(elements - std::round(elements)) < 1e-9 * elements;
-      level.before_last = whole ? level.last : PastPatches();
-      level.lengths[1] = whole ? length : 0.0;
-      for (PastPatch& patch : level.before_last) move(patch.grid, -length, 0.0);
-    }
-  }
-
-  std::vector<ModelResult> solve_contacts(std::vector<Scene>& contacts, std::size_t k) {
-    const contact::HistoryStep& given = input_.history.at(k);
-    const auto load = given.vertical_force ? given.vertical_force : input_.load.vertical_force;
-    for (int turn = 0;; ++turn) {
-      for (std::size_t c = 0; c < contacts.size(); ++c) contacts[c].past = past_of(contacts, c);
-      contact::CheckpointPart kept(how_.checkpoint, turn > 0 ? fmt::format("turn{}-", turn) : "");
-      Solving how = how_;
-      if (how_.checkpoint != nullptr) how.checkpoint = &kept;
-      std::vector<ModelResult> results;
-      for (const Scene& scene : contacts)
-        results.push_back(solve_scene(model_, scene, notes_, how));
-      if (contacts.size() < 2 || !load || !share(*load, results, contacts)) return results;
-      if (turn == most_turns)
-        throw contact::SolveError(
-            contacts.front().where(),
-            "the shares of {} contacts in {:g} N do not settle with the friction of this step in "
-            "{} turns",
-            contacts.size(), *load, most_turns);
-    }
+  double next_length() const {
+    const auto& steps = run_.input.history;
+    return step_ + 1 < steps.size() ? steps[step_ + 1].step_length : 0.0;
   }
 
   /// Shares the load with the friction of the results; whether shares have changed.
-  static bool share(double load, const std::vector<ModelResult>& results,
-                    std::vector<Scene>& contacts) {
+  bool share(double load, const std::vector<ModelResult>& results) {
     std::vector<halfspace::ForceRatio> ratios;
     for (const ModelResult& result : results) {
       const contact::PointResult& point = result.points.front();
       ratios.push_back(std::array{point.longitudinal_force / point.normal_force,
                                   point.lateral_force / point.normal_force});
     }
-    const halfspace::SharedLoad shared = halfspace::share_load(contacts, load, ratios);
+    const halfspace::SharedLoad shared = halfspace::share_load(contacts_, load, ratios);
     double change = 0.0, sum = 0.0;
     for (const halfspace::PatchLoad& one : shared.shares) sum += one.vertical_force;
-    std::vector<Scene> loaded;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      const halfspace::PatchLoad& one = shared.shares[c];
-      contact::NormalLoad& own = contacts[c].points.front().load;
-      const double force = one.vertical_force * load / sum;
-      change = std::max(change, std::abs(force - own.force.value_or(0.0)) / load);
-      own.force = force;
-      contacts[c].neighbour_loads = one.neighbour_loads;
-      if (one.normal_force > shared_to * load) loaded.push_back(std::move(contacts[c]));
+    const auto force_of = [&](std::size_t c) {
+      return shared.shares[c].vertical_force * load / sum;
+    };
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      const double before = contacts_[c].points.front().load.force.value_or(0.0);
+      change = std::max(change, std::abs(force_of(c) - before) / load);
     }
-    contacts = std::move(loaded);
-    return change > shared_to;
+    if (change <= shared_to) return false;
+    std::vector<Scene> loaded;
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      contacts_[c].points.front().load.force = force_of(c);
+      contacts_[c].neighbour_loads = shared.shares[c].neighbour_loads;
+      if (shared.shares[c].normal_force > shared_to * load)
+        loaded.push_back(std::move(contacts_[c]));
+    }
+    contacts_ = std::move(loaded);
+    return true;
   }
 
-  const Case& input_;
-  const track::SearchScene& search_;
-  const std::string& model_;
-  std::vector<contact::Note> notes_;
-  const Solving& how_;
-  std::vector<Scene> scenes_;
-  std::vector<Level> levels_;  ///< the coarsest first
-  std::vector<Origin> first_;  ///< a corner of the lattice, once a contact is known
-  double way_ = 0.0;           ///< mm rolled
-  StepPast past_;              ///< sums of the steps so far; without levels
+  const Run& run_;
+  std::vector<Scene> scenes_;     ///< of all steps
+  std::size_t next_ = 0;          ///< the first one of the steps to come
+  std::vector<Level> levels_;     ///< the coarsest first
+  std::array<Level, 2> doubled_;  ///< in double steps, which end at even and odd ones
+  std::optional<Origin> first_;   ///< a corner of the lattice, once a contact is known
+  double way_ = 0.0;              ///< mm rolled
+  track::RailVector rail_{};      ///< where its springs hold the rail
+  StepPast past_;                 ///< sums of the steps so far; without levels
+  std::size_t began_ = 0;         ///< the step in which the wheel has touched its rail
+  /// Of the step before, with the place of the contacts across.
+  std::vector<std::pair<double, contact::Creepage>> creepages_;
+
+  // The step that is being solved.
+  std::size_t step_ = 0;
+  std::vector<Scene> contacts_;
+  bool steady_ = false;
+  double length_ = 0.0;
 };
+
+/// Turns wheels together so that they transmit what the case asks of them; returns the rotation
+/// (Wheelset::rotation_change).
+double find_rotation(const Run& run, const std::vector<WheelHistory*>& wheels, std::size_t k,
+                     double start) {
+  constexpr double step = 2e-4, largest = 1.0, tolerance = 1e-10, small = 1e-5;
+  const contact::Wheelset& given = run.input.wheelset;
+  const bool by_force = given.free_rolling == FreeRolling::force;
+  const std::vector<double>& asked = by_force ? given.longitudinal_force : given.axle_torque;
+  const double radius = run.input.wheel.rolling_radius;
+  const double wanted = asked.empty() ? 0.0 : by_force ? -asked.at(k) * radius : asked.at(k);
+  double left = 0.0, reach = 0.0;
+  const auto left_at = [&](double rotation) {
+    left = -wanted;
+    reach = 0.0;
+    for (WheelHistory* wheel : wheels) {
+      wheel->turn(rotation);
+      const auto [torque, load] = wheel->torque();
+      left += torque;
+      reach += run.input.friction_coefficient * load * radius;
+    }
+    return std::abs(left) <= small * reach ? 0.0 : left;
+  };
+  // A wheel that turns faster is held back more by the rail.
+  const double at_start = left_at(start);
+  const auto found =
+      contact::root_from(left_at, start, at_start, at_start > 0.0 ? start + step : start - step,
+                         largest, tolerance, "rotation in a step");
+  if (!found)
+    throw contact::SolveError(fmt::format(
+        "step {}: no rotation transmits the given {} of {:.6g}; {:.4g} N mm are left, and friction "
+        "carries at most {:.4g} N mm; allowed: less than that",
+        k + 1, by_force ? "longitudinal_force" : "axle_torque", asked.empty() ? 0.0 : asked.at(k),
+        std::abs(left), reach));
+  for (WheelHistory* wheel : wheels) wheel->turn(*found);
+  return *found;
+}
 
 }  // namespace
 
-std::vector<ModelResult> solve_history(const Case& input, const track::SearchScene& search,
+std::vector<ModelResult> solve_history(const Case& input, const track::PlacedWheels& placed,
                                        const std::string& model, const Scenes& scenes,
                                        const Solving& how) {
   if (model != "halfspace")
@@ -335,16 +469,40 @@ std::vector<ModelResult> solve_history(const Case& input, const track::SearchSce
         "model {}: the positions of this wheel are the steps of a history, in which the contact "
         "moves; allowed: halfspace; do: run with --model halfspace, or give one position",
         model);
-  std::array<WheelHistory, 2> wheels{WheelHistory(input, search, model, scenes, how),
-                                     WheelHistory(input, search, model, scenes, how)};
-  for (const Scene& scene : scenes.list) wheels[scene.place->left ? 0 : 1].add(scene);
-  std::array<std::vector<ModelResult>, 2> found;
-  contact::for_each_index(wheels.size(), [&](std::size_t w) { found[w] = wheels[w].solve(); });
-  std::vector<ModelResult> all = std::move(found[0]);
-  std::move(found[1].begin(), found[1].end(), std::back_inserter(all));
-  std::stable_sort(all.begin(), all.end(), [](const ModelResult& a, const ModelResult& b) {
-    return a.place->position < b.place->position;
-  });
+  Run run{input, placed, model, scenes.notes, how};
+  run.notes.push_back({"steps",
+                       "the positions of this wheel follow each other; elements lie on one lattice "
+                       "in the material of the rail"});
+  std::array<std::vector<Scene>, 2> of;
+  for (const Scene& scene : scenes.list) of[scene.place->left ? 0 : 1].push_back(scene);
+  std::array wheels{WheelHistory(run, of[0]), WheelHistory(run, of[1])};
+  std::array<double, 2> rotations{};
+  std::vector<ModelResult> all;
+  for (std::size_t k = 0; k < input.history.size(); ++k) {
+    std::vector<std::size_t> touching;
+    for (std::size_t w = 0; w < wheels.size(); ++w)
+      if (wheels[w].touches(k)) touching.push_back(w);
+    std::array<std::vector<ModelResult>, 2> results;
+    if (input.wheelset.free_rolling == FreeRolling::torque && !touching.empty()) {
+      std::vector<WheelHistory*> together;
+      for (const std::size_t w : touching) {
+        wheels[w].begin(k);
+        together.push_back(&wheels[w]);
+      }
+      rotations[0] = find_rotation(run, together, k, rotations[0]);
+    }
+    contact::for_each_index(touching.size(), [&](std::size_t t) {
+      const std::size_t w = touching[t];
+      if (input.wheelset.free_rolling != FreeRolling::torque) wheels[w].begin(k);
+      if (input.wheelset.free_rolling == FreeRolling::force)
+        rotations[w] = find_rotation(run, {&wheels[w]}, k, rotations[w]);
+      if (input.track.rail_stiffness) wheels[w].settle();
+      results[w] = wheels[w].solve();
+      wheels[w].end(results[w]);
+    });
+    for (std::vector<ModelResult>& found : results)
+      std::move(found.begin(), found.end(), std::back_inserter(all));
+  }
   return all;
 }
 

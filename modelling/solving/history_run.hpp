@@ -15,7 +15,7 @@ namespace rollfem::modelling {
 /// has unloaded. A step whose load is carried by several contacts shares it anew with the friction
 /// that it finds. Throws contact::InputError for another model, and as solve_scene.
 std::vector<contact::ModelResult> solve_history(const contact::Case& input,
-                                                const track::SearchScene& search,
+                                                const track::PlacedWheels& placed,
                                                 const std::string& model, const Scenes& scenes,
                                                 const Solving& how);
 

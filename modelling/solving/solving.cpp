@@ -300,7 +300,7 @@ Part solve_part(const contact::Case& input, const Placed& wheels, const Solving&
   const auto able = able_models(input, part.scenes, how, part.solved.missing);
   if (input.is_wheel_history())
     for (const std::string& model : able) {
-      auto results = solve_history(input, wheels->search, model, part.scenes, how);
+      auto results = solve_history(input, *wheels, model, part.scenes, how);
       std::move(results.begin(), results.end(), std::back_inserter(part.solved.results));
     }
   else if (any_choice(*how.models, able))

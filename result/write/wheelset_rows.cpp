@@ -93,6 +93,11 @@ Columns<Row> wheelset_columns(const RunRecord& run) {
     columns.add(way.name, way.unit, of_position(way.list));
   columns.add("model", "", &Row::model);
   columns.add("point", "", [](const Row& row) { return row.point + 1; });
+  if (run.input.is_wheel_history())
+    columns.add("distance", "mm", [](const Row& row) {
+      const WheelAt& wheel = row.left.main ? row.left : row.right;
+      return wheel.main->points[row.point].distance;
+    });
   add_wheel(columns, "left", &Row::left);
   add_wheel(columns, "right", &Row::right);
   columns.add("radius_difference", "mm",
@@ -191,7 +196,7 @@ std::string wheelset_csv(const RunRecord& run) {
     const auto& at = run.input.wheelset.*way.list;
     return std::any_of(at.begin(), at.end(), [&](double value) { return value != at.front(); });
   });
-  if (run.wheelset.empty() && !moves_along) return {};
+  if (run.wheelset.empty() && !moves_along && !run.input.is_wheel_history()) return {};
   std::vector<Row> rows;
   for (std::size_t p = 0; p < run.input.wheelset.positions(); ++p)
     for (const std::string& model : model_names(run))

@@ -6,6 +6,7 @@
 #include "result/record.hpp"
 #include "track/balance/flange_bending.hpp"
 #include "track/balance/position.hpp"
+#include "track/balance/springs.hpp"
 
 #include <fmt/format.h>
 
@@ -48,13 +49,16 @@ std::vector<contact::Note> notes_of(const Case& input) {
   if (input.load.vertical_force)
     notes.push_back({"vertical_force", "the vertical force of each wheel includes friction"});
   if (input.wheelset.free_rolling == FreeRolling::torque)
-    notes.push_back({"free_rolling",
-                     "the rotation is that at which the wheelset has no torque about its axle, " +
-                         by_the_balance});
-  if (input.wheelset.free_rolling == FreeRolling::force)
     notes.push_back(
         {"free_rolling",
-         "each wheel turns so that it transmits no longitudinal force, " + by_the_balance});
+         fmt::format("the rotation is that at which the wheelset has {} torque about "
+                     "its axle, {}",
+                     input.wheelset.axle_torque.empty() ? "no" : "the given", by_the_balance)});
+  if (input.wheelset.free_rolling == FreeRolling::force)
+    notes.push_back({"free_rolling",
+                     fmt::format("each wheel turns so that it transmits {} longitudinal force, {}",
+                                 input.wheelset.longitudinal_force.empty() ? "no" : "the given",
+                                 by_the_balance)});
   return notes;
 }
 
@@ -137,7 +141,8 @@ std::vector<WheelRailContact> place_wheels(const Case& input, const SearchScene&
 
 PlacedWheels place_for_balance(const Case& input) {
   Case all_sides = input;
-  if (input.wheelset.free_rolling == FreeRolling::torque) all_sides.wheelset.side = WheelSide::both;
+  if (input.wheelset.free_rolling == FreeRolling::torque && input.wheelset.axle_torque.empty())
+    all_sides.wheelset.side = WheelSide::both;
   SearchOptions options;
   options.with_reserve = input.load.vertical_force.has_value();
   PlacedWheels placed;
@@ -174,8 +179,17 @@ BalancedCase balance(const Case& input, const PlacedWheels& placed,
     Balanced& at = positions[k];
     for (const PlacedScene& scene : placed.scenes)
       if (scene.contact.place.position == position) at.here.push_back(scene);
-    at.patches = kept_or_balanced(input, position, at.here, kept);
-    at.notes = bending_notes(input, at.patches);
+    if (input.track.rail_stiffness && !input.is_wheel_history()) {
+      RailVector moved{};
+      WheelOnRail wheel = on_springs(input, placed.search, position, moved);
+      at.here = std::move(wheel.placed);
+      at.patches = std::move(wheel.balanced);
+      at.notes.push_back({"rail_springs", springs_text(moved)});
+    } else {
+      at.patches = kept_or_balanced(input, position, at.here, kept);
+    }
+    for (contact::Note& note : bending_notes(input, at.patches))
+      at.notes.push_back(std::move(note));
   });
   for (Balanced& at : positions) {
     std::move(at.notes.begin(), at.notes.end(), std::back_inserter(result.notes));

@@ -256,7 +256,7 @@ class Position {
     });
   }
 
-  /// To vanish: the moment about the axle, or F_x of a wheel as one.
+  /// The moment about the axle, or F_x of a wheel as one.
   double torque(const Wheel& wheel, std::size_t k) const {
     double sum = 0.0;
     for (const Patch& patch : wheel.patches)
@@ -266,8 +266,18 @@ class Position {
     return sum;
   }
 
-  /// Rotations at which the wheels from one to another have no torque together. A wheel that turns
-  /// faster is held back more by the rail: the moment and -F_x fall.
+  /// Of the torque, at one load point.
+  double wanted(std::size_t k) const {
+    const contact::Wheelset& given = input_.wheelset;
+    if (free_ == FreeRolling::force)
+      return given.longitudinal_force.empty()
+                 ? 0.0
+                 : -given.longitudinal_force.at(k) * input_.wheel.rolling_radius;
+    return given.axle_torque.empty() ? 0.0 : given.axle_torque.at(k);
+  }
+
+  /// Rotations at which the wheels from one to another have the wanted torque together. A wheel
+  /// that turns faster is held back more by the rail: the moment and -F_x fall.
   void find_rotation(std::size_t from, std::size_t to) {
     constexpr double step = 2e-4, largest = 0.1, tolerance = 1e-9;
     const double small =
@@ -276,7 +286,7 @@ class Position {
       double sum = 0.0;
       const auto torque_at = [&](double rotation) {
         rotation_[k] = rotation;
-        sum = 0.0;
+        sum = -wanted(k);
         for (std::size_t w = from; w < to; ++w) turn(wheels_[w]);
         solve(from, to, &k);
         for (std::size_t w = from; w < to; ++w) sum += torque(wheels_[w], k);

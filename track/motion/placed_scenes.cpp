@@ -173,17 +173,26 @@ Case case_at(const Case& input, std::size_t k) {
   keep(here.rolling.creepages);
   keep(here.rolling.forces);
   keep(here.history);
-  keep(here.wheelset.rotation_change);
+  contact::Wheelset& wheelset = here.wheelset;
+  for (auto* list :
+       {&wheelset.rotation_change, &wheelset.longitudinal_force, &wheelset.axle_torque})
+    keep(*list);
   here.starts_steady = input.starts_steady && k == 0;
   contact::HistoryStep& step = here.history.front();
   if (step.vertical_force) here.load.vertical_force = step.vertical_force;
-  if (!input.moves_by_positions || k == 0) return here;
+  if (!input.moves_by_positions) return here;
+  const bool rolls = input.rolling.problem == contact::Problem::transient;
   const auto change = [&](const std::vector<double>& list) {
-    return list.empty() ? 0.0 : (list.at(k) - list.at(k - 1)) / step.step_length;
+    if (list.empty() || k == 0) return 0.0;
+    return (list.at(k) - list.at(k - 1)) / (rolls ? step.step_length : 1.0);
   };
   here.wheelset.lateral_velocity = change(input.wheelset.lateral_shift);
   here.wheelset.yaw_velocity = change(input.wheelset.yaw);
   here.wheelset.roll_velocity = change(input.wheelset.roll);
+  // Nothing rolls in a shift: the wheel turns as its position says.
+  if (!rolls)
+    here.wheelset.rotation_change = {
+        change(input.wheelset.wheel_angle) * input.wheel.rolling_radius - 1.0};
   return here;
 }
 
@@ -208,33 +217,47 @@ void set_rotation_changes(PlacedScene& placed, const Case& input,
   for (std::size_t k = 0; k < points.size(); ++k) {
     Creepage& creepage = points[k].creepage;
     const Motion motion = motion_of(input, rotation_change[k]);
-    const Creepage moving = input.rolling.extra_slip == contact::ExtraSlip::none
+    const Creepage moving = input.rolling.extra_slip == contact::ExtraSlip::none ||
+                                    input.rolling.problem == contact::Problem::shift
                                 ? creepage_on_rail(placed.contact, motion)
                                 : creepage_of(placed.contact, motion);
-    if (!input.rolling.given.longitudinal) creepage.longitudinal = moving.longitudinal;
-    if (!input.rolling.given.lateral) creepage.lateral = moving.lateral;
-    if (!input.rolling.given.spin) creepage.spin = moving.spin;
+    const contact::HistoryStep step =
+        k < input.history.size() ? input.history[k] : contact::HistoryStep();
+    const double part = step.wheel_way ? *step.wheel_way / step.step_length : 1.0;
+    if (!input.rolling.given.longitudinal) creepage.longitudinal = part * moving.longitudinal;
+    if (!input.rolling.given.lateral) creepage.lateral = part * moving.lateral;
+    if (!input.rolling.given.spin) creepage.spin = part * moving.spin;
+    if (input.moves_by_positions && input.rolling.problem == contact::Problem::shift) {
+      const Creepage rest = creepage_on_rail(placed.contact, {});  // of forward motion alone
+      points[k].longitudinal_shift =
+          step.longitudinal_shift + moving.longitudinal - rest.longitudinal;
+      points[k].lateral_shift = step.lateral_shift + moving.lateral - rest.lateral;
+      points[k].spin_shift = step.spin_shift + moving.spin - rest.spin;
+    }
     // A prescribed force replaces the creepage in its direction.
     if (points[k].force.longitudinal) creepage.longitudinal = 0.0;
     if (points[k].force.lateral) creepage.lateral = 0.0;
   }
 }
 
+std::vector<PlacedScene> scenes_at(const Case& here, const SearchScene& scene, int position,
+                                   const SearchOptions& options) {
+  std::vector<PlacedScene> left, right;
+  for (WheelRailContact& contact : find_contacts(here, scene, position, options))
+    if (contact.place.patch > 0 || (contact.reserve && options.with_reserve))
+      (contact.place.left ? left : right).push_back(contact::at_place({file_of(here)}, [&] {
+        return make_scene(here, std::move(contact));
+      }));
+  for (std::vector<PlacedScene>* wheel : {&left, &right}) stand_under_load(here, *wheel);
+  std::move(right.begin(), right.end(), std::back_inserter(left));
+  return left;
+}
+
 std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene,
                                      const SearchOptions& options) {
   std::vector<std::vector<PlacedScene>> at(input.wheelset.positions());
   contact::for_each_index(at.size(), [&](std::size_t k) {
-    std::vector<PlacedScene> left, right;
-    const Case here = case_at(input, k);
-    for (WheelRailContact& contact : find_contacts(here, scene, static_cast<int>(k) + 1, options))
-      if (contact.place.patch > 0 || (contact.reserve && options.with_reserve))
-        (contact.place.left ? left : right).push_back(contact::at_place({file_of(input)}, [&] {
-          return make_scene(here, std::move(contact));
-        }));
-    for (std::vector<PlacedScene>* wheel : {&left, &right}) {
-      stand_under_load(here, *wheel);
-      std::move(wheel->begin(), wheel->end(), std::back_inserter(at[k]));
-    }
+    at[k] = scenes_at(case_at(input, k), scene, static_cast<int>(k) + 1, options);
   });
   std::vector<PlacedScene> scenes;
   for (std::vector<PlacedScene>& here : at)
@@ -245,7 +268,8 @@ std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene
 const WheelRailContact& contact_of(const contact::Scene& scene,
                                    const std::vector<PlacedScene>& placed) {
   const auto found = std::find_if(placed.begin(), placed.end(), [&](const PlacedScene& one) {
-    return one.contact.place.y_track == scene.place->y_track;
+    const contact::ContactPlace& place = one.contact.place;
+    return place.y_track == scene.place->y_track && place.position == scene.place->position;
   });
   if (found == placed.end()) throw std::logic_error("a contact in balance that was not found");
   return found->contact;

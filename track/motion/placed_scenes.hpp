@@ -33,6 +33,10 @@ contact::Case case_at(const contact::Case& input, std::size_t position);
 std::vector<PlacedScene> make_scenes(const contact::Case& input, const SearchScene& scene,
                                      const SearchOptions& options = {});
 
+/// Those of one position (1, 2, ...); `here`: case_at.
+std::vector<PlacedScene> scenes_at(const contact::Case& here, const SearchScene& scene,
+                                   int position, const SearchOptions& options = {});
+
 /// The contact of one of these scenes after their balance.
 const WheelRailContact& contact_of(const contact::Scene& scene,
                                    const std::vector<PlacedScene>& placed);

@@ -18,6 +18,11 @@ from .figure import Figure
 from .profiles import PATCH_COLOURS, draw_pair
 
 
+def is_history(result):
+    """Whether the positions of a wheel follow each other."""
+    return len(positions(result)) > 1 and any(m.points and m.points[0]["step"] for m in result.models)
+
+
 def positions(result):
     """Numbers of the positions in the result."""
     return sorted({m.place["position"] for m in result.models if m.place})
@@ -104,9 +109,12 @@ class Abscissa(NamedTuple):
 
 
 def along(result):
-    """The first abscissa whose values all differ: position along the track, angle of the wheel, lateral shift, yaw;
-    otherwise the position numbers."""
+    """The first abscissa whose values all differ: distance rolled in a history, position along the track, angle of the
+    wheel, lateral shift, yaw; otherwise the position numbers."""
     places = {m.place["position"]: m.place for m in result.models if m.place}
+    rolled = {m.place["position"]: m.points[0]["distance"] for m in result.models if m.place and m.points}
+    if is_history(result) and len(set(rolled.values())) == len(places) > 1:
+        return Abscissa(rolled, "distance rolled", "mm", "", True)
     of = "wheel" if "placement.side" in result.inputs else "wheelset"
     for name, factor, *words in (("track_position", 1.0, "position along the track", "mm", "", True),
                                  ("wheel_angle", 1.0, "angle", "rad", "wheel", True),
@@ -148,6 +156,12 @@ def _by_patch(title, value, here, at, look):
         rows = [(sorted((where, sum(v for w, v, _ in spots if w == where)) for where in {w for w, *_ in spots}), True)]
     yield from ((*zip(*row), {**look, "joined": joined}) for row, joined in rows if row)
 
+
+# Panels of positions that follow each other, as PANELS.
+SLIP = "share of slip"
+PANELS_OF_HISTORY = (*PANELS[8:10], (
+    SLIP, "of the contact area [%]", 5.0,
+    lambda model: 100.0 * (1.0 - model.points[0]["adhesion_area"] / model.points[0]["contact_area"])))
 
 # Panels of a sweep along the way, as PANELS.
 HEIGHT, LOAD = "height of the wheel", "vertical force"
@@ -221,7 +235,7 @@ def sweep(result):
     figure, panels = Figure(3), PANELS
     if over.is_way:
         given = LOAD if "load.vertical_force" in result.inputs else HEIGHT
-        panels = [panel for panel in PANELS_ALONG if panel[0] != given and (
+        panels = [panel for panel in (*PANELS_ALONG, *PANELS_OF_HISTORY * is_history(result)) if panel[0] != given and (
             panel[0] not in FORCES or any(m.has_friction for m in models))]
     for panel in figure.charts((250, 165), [
             (title, over.label, unit, least, curves(title, value)) for title, unit, least, value in panels]):

@@ -5,9 +5,9 @@
 #include "modelling/registry.hpp"
 #include "modelling/solving/solving.hpp"
 
-#include "support/case_examples.hpp"
 #include <fmt/format.h>
 
+#include "support/case_examples.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -24,8 +24,10 @@ class WheelHistory : public ::testing::Test {
     Changes all{"wheel.profile=S1002",        "wheel.rolling_radius=460.0",
                 "rail.profile=60E1",          "friction.coefficient=0.3",
                 "wheelset.roll=0.0",          "contact_grid.cell_size=[1.0, 1.0]",
-                "rolling.leading_edge=plain", "wheelset.rotation_change=-0.001",
-                "halfspace.surface=planar",   "wheelset.side=left"};
+                "rolling.leading_edge=plain", "halfspace.surface=planar",
+                "wheelset.side=left"};
+    if (changes.empty() || changes.front() != "wheelset.free_rolling=force")
+      all.push_back("wheelset.rotation_change=-0.001");
     all.insert(all.end(), changes.begin(), changes.end());
     result::RunRecord record;
     const std::string track =
@@ -67,13 +69,13 @@ void expect_forces(const contact::PointResult& a, const contact::PointResult& b,
 TEST_F(WheelHistory, ConstantConditionsLeadToSteadyRolling) {
   for (const std::string order : {"first", "second"}) {
     const Changes rule{"rolling.upwind_order=" + order};
-    const auto steady = solve(rule), rolled = solve(steps(70, "1.0", rule));
-    ASSERT_EQ(rolled.models.size(), 70U);
+    const auto steady = solve(rule), rolled = solve(steps(120, "1.0", rule));
+    ASSERT_EQ(rolled.models.size(), 120U);
     const contact::PointResult& last = rolled.models.back().points.front();
     expect_forces(last, steady.models.front().points.front(), 1e-6);
-    EXPECT_EQ(last.step, 70);
-    EXPECT_DOUBLE_EQ(last.distance, 70.0);
-    EXPECT_EQ(rolled.models.back().place->position, 70);
+    EXPECT_EQ(last.step, 120);
+    EXPECT_DOUBLE_EQ(last.distance, 120.0);
+    EXPECT_EQ(rolled.models.back().place->position, 120);
     // The first step is at rest: it carries less.
     EXPECT_LT(std::abs(rolled.models.front().points.front().longitudinal_force),
               0.5 * std::abs(last.longitudinal_force));
@@ -149,6 +151,45 @@ TEST_F(WheelHistory, TractionsStayWithTheRail) {
   EXPECT_NEAR(middle(shifted.models[0]), 0.0, 1e-6);
   EXPECT_GT(middle(shifted.models[1]), 0.3);
   EXPECT_LT(middle(shifted.models[1]), 1.0);
+}
+
+/// A wheel that is braked from rest, after 12 mm: what the length of the steps changes falls with
+/// it, and is within the bars.
+TEST_F(WheelHistory, ErrorOfStepsFallsWithTheirLength) {
+  std::vector<contact::PointResult> after;
+  for (const int count : {6, 12, 24})
+    after.push_back(
+        solve(steps(count, std::to_string(12.0 / count), {"rolling.upwind_order=first"}))
+            .models.back()
+            .points.front());
+  const auto force = [&](std::size_t k) { return after[k].longitudinal_force; };
+  const double ratio = (force(0) - force(1)) / (force(1) - force(2));
+  EXPECT_GT(ratio, 1.7);
+  EXPECT_LT(ratio, 2.4);
+  for (const std::size_t k : {0U, 1U})
+    EXPECT_LT(std::abs(force(k) - (2.0 * force(2) - force(1))),
+              *after[k].bar_of("longitudinal_force"));
+}
+
+/// From a shift under the force to the creepage of steady rolling: from Cattaneo to Carter.
+TEST_F(WheelHistory, TransmitsTheForceThatIsAsked) {
+  const Changes driven{"wheelset.free_rolling=force", "wheelset.longitudinal_force=-12e3"};
+  Changes in_steps = steps(90, "1.0", driven);
+  std::rotate(in_steps.begin(), in_steps.end() - 2, in_steps.end());
+  const auto steady = solve(driven), rolled = solve(in_steps);
+  for (const std::size_t k : {0U, 1U, 10U, 89U})
+    EXPECT_NEAR(step_of(rolled, k).longitudinal_force, -12e3, 1.0);
+  const double wanted = step_of(steady, 0).creepage.longitudinal;
+  EXPECT_NEAR(step_of(rolled, 89).creepage.longitudinal, wanted, 0.02 * wanted);
+  EXPECT_GT(step_of(rolled, 0).creepage.longitudinal, 3.0 * wanted);
+}
+
+TEST_F(WheelHistory, TimeAndPlaceSayHowFarItRolls) {
+  const Changes placed{"rolling.problem=transient", "wheelset.track_position=[5.0, 6.0, 8.0]"};
+  const Changes timed{"rolling.problem=transient", "wheelset.yaw=[0.0, 0.0, 0.0]",
+                      "history.time=[0.0, 0.001, 0.003]", "rolling.speed=1000.0"};
+  for (const Changes& given : {placed, timed})
+    EXPECT_DOUBLE_EQ(step_of(solve(given), 2).distance, 4.0);
 }
 
 TEST_F(WheelHistory, RefusesOtherModelsAndUnequalLists) {
