@@ -156,6 +156,8 @@ def asked(result):
     law = "without friction" if case["rolling.problem"] == "frictionless" else (
         f"friction coefficient {tables.plain(result.friction_coefficient)}") + tables.law_words(result)
     what = PROBLEMS.get(case["rolling.problem"], "")
+    if case["rolling.problem"] == "shift" and not result.friction_coefficient:
+        what = "Load points are steps of the load, without rolling. "
     if result.prescribed_forces:
         what += "Tangential forces are prescribed; creepages are results. "
     return (f"<p>{said}{';' if 'given_pressure.max_pressure' in case else ','} {law}. {what}</p>"

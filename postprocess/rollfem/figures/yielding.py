@@ -69,24 +69,30 @@ def _band(model, point, after):
     return int(np.abs(after["y"][0] - middle).argmin())
 
 
+def _lines(result):
+    """(member of the body, words, look) of the lines of passes()."""
+    blue, red = ({"colour": "blue", "width": 3.2, "marker": "o", "size": 5.5}, {"colour": "red", "marker": "s", "size": 2.8})
+    if one(result) == "step":
+        return ("plastic_strain", "in all steps so far", blue), ("increment", "in the step", red)
+    return ("increment", "in the pass, back and forth", blue), ("net_increment", "of it lasting after the pass", red)
+
+
 def passes(result):
-    """Plastic strain of every pass (step) and its lasting part. None if nothing yields."""
+    """Plastic strain of every pass and its lasting part; of every step and of all so far. None if nothing yields."""
     figure = Figure(2)
     for model, body in bodies(result):
         rows = _passes(model, body)
         last = rows[-1][2]
         since = f" since {one(result)} {last['from_pass']}" if 1 < last["from_pass"] < rows[-1][0] else ""
-        panel = figure.add(400, 250, f"{body}: {told(last)}{since}", one(result), f"plastic strain of the {one(result)} [-]")
-        panel.y.log = True
+        panel = figure.add(400, 250, f"{body}: {told(last)}{since}", one(result), "largest plastic strain [-]")
+        panel.y.log = one(result) == "pass"
         at = [n for n, *_ in rows]
         panel.x.limits = (0.5, at[-1] + 0.5)
         if len(at) < 12:
             panel.x.ticks = [(n, str(n)) for n in at]
-        for name, words, look in (
-                ("increment", f"in the {one(result)}, back and forth", {"colour": "blue", "width": 3.2, "marker": "o", "size": 5.5}),
-                ("net_increment", f"of it lasting after the {one(result)}", {"colour": "red", "marker": "s", "size": 2.8})):
+        for name, words, look in _lines(result):
             values = np.array([after[name] for *_, after in rows])
-            panel.line(at, np.where(values > 0, values, np.nan), name=words,
+            panel.line(at, np.where(values > 0, values, np.nan) if panel.y.log else values, name=words,
                        **(look if len(at) <= MOST_MARKED else {**look, "marker": None}))
         if (yields := result.inputs.get(f"{body}_plasticity.yield_stress")) is not None:
             strain = yields / result.inputs[f"{body}.young_modulus"]
@@ -126,14 +132,17 @@ def _mirrored(after):
 
 
 def section(result, model, body):
-    """Maps of accumulated plastic strain, plastic shear strain and residual stress over the section behind the load after
-    the last pass."""
+    """Maps of accumulated plastic strain, plastic shear strain (of a pass) and residual stress over the section behind the
+    load after the last pass."""
     number_, _, after = _passes(model, body)[-1]
     y, depth, *fields = _mirrored(after)
-    figure = Figure(6, f"{body} after {one(result)} {number_}, seen along rolling", in_rows=True)
+    rolls = one(result) == "pass"
+    figure = Figure(6, f"{body} after {one(result)} {number_}, seen along {'rolling' if rolls else 'x'}", in_rows=True)
     wide, high, said = np.ptp(y), depth.max(), []
     for name, unit, values in zip(("accumulated plastic strain", "plastic shear strain along rolling", "residual stress along"),
                                   ("%", "%", "MPa"), fields):
+        if not rolls and "shear" in name:
+            continue  # pressed evenly to both sides
         values = values * (100 if unit == "%" else 1)
         panel = figure.add(min(270.0, 300.0 * wide / high), 0, f"{name} [{unit}]", ACROSS, "depth [mm]", equal=True)
         panel.x.limits, panel.y.limits, panel.y.flipped = (y.min(), y.max()), (0.0, high), True
@@ -186,10 +195,10 @@ def shakedown_map(result):
 def captions(result):
     """(file name, caption, function that draws it) of the figures of bodies that yield."""
     rolls = one(result) == "pass"
-    yield ("yielded_passes.svg", f"Plastic strain of every {one(result)}, where it is largest: all of it, back and forth, and the "
-           f"part that lasts after the {one(result)}. " + ("Elastic shakedown: both vanish; plastic shakedown: hardly anything "
-           "lasts; ratchetting: the same part lasts after every pass. " if rolls else "") + "Dotted: the yield strain, for "
-           "comparison.", lambda: passes(result))
+    yield ("yielded_passes.svg", ("Plastic strain of every pass, where it is largest: all of it, back and forth, and the part that "
+           "lasts after the pass. Elastic shakedown: both vanish; plastic shakedown: hardly anything lasts; ratchetting: the same "
+           "part lasts after every pass. " if rolls else "Plastic strain after every step, where it is largest, and what the step "
+           "has added to it. ") + "Dotted: the yield strain, for comparison.", lambda: passes(result))
     yield ("yielded_shakedown_map.svg", "The passes in the shakedown map, which holds for steel that does not harden: hardening "
            "raises its limits. The pressure falls while the bodies conform.", lambda: shakedown_map(result))
     below, behind, done = ("middle of the running band", "behind the load", "groove with its lips, and displacement along "
@@ -198,8 +207,8 @@ def captions(result):
     for model, body in bodies(result):
         yield (f"yielded_stress_{body}.svg", f"Residual stress in the {body}, over depth below the {below}.",
                lambda model=model, body=body: residual_stress(result, model, body))
-        yield (f"yielded_section_{body}.svg", f"Section of the {body} {behind} after the last {one(result)}. Shear strain: twice "
-               "the tensor's xz; its sign is that of the flow along rolling.",
+        yield (f"yielded_section_{body}.svg", f"Section of the {body} {behind} after the last {one(result)}." +
+               (" Shear strain: twice the tensor's xz; its sign is that of the flow along rolling." if rolls else ""),
                lambda model=model, body=body: section(result, model, body))
         yield (f"yielded_groove_{body}.svg", f"What plastic flow has done to the surface of the {body}: {done}.",
                lambda model=model, body=body: groove(result, model, body))
@@ -222,7 +231,10 @@ def passes_table(result):
     last = model.points[-1].yielded
     said = "".join(f"<p class=say>{escape(styles.label(model))}, {body}: {escape(after.get('finding', after['verdict']))}.</p>"
                    for body, after in last.items())
-    return said + table([one(result), *(heading(result.quantities[name]) for name in columns), "verdict"], rows, frame="many") + hint(
+    said_of = [heading(result.quantities[name]) for name in columns]
+    if not rolls:
+        said_of = [words.replace("pass", "step").replace("groove", "imprint") for words in said_of]
+    return said + table([one(result), *said_of, "verdict"], rows, frame="many") + hint(
         "Largest values of both bodies; residual stress, groove and flow: of the section behind the load." if rolls else
         "Largest values of both bodies; residual stress and imprint: what plastic strain alone leaves, in the section through the "
         "middle of the contact. Once the load is 0, this is the state of the body.")
