@@ -256,8 +256,9 @@ void count_doubled_step(const Scene& scene, const Cell& cell, Levels& levels,
     whole = coarser_level(merged, PatchSearch(merged, detail_for(merged)), cell, nullptr, true,
                           progress, elasticity);
   scene.past->left->push_back(whole ? left_by(*whole) : contact::PastPatch());
+  // Of order 1 the change is the error; on coarse elements it is up to a quarter smaller.
   if (whole)
-    add_step_errors(levels.coarse->points, whole->points, {0}, 1.0, levels.fine->points);
+    add_step_errors(levels.coarse->points, whole->points, {0}, 1.5, levels.fine->points);
   else
     result.notes.push_back({"steps", steps_left_out});
 }

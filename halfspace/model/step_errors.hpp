@@ -23,8 +23,8 @@ struct DividedSteps {
 DividedSteps divided_steps(const contact::Scene& scene, double patch_length);
 
 /// Adds to the error bars of `fine` a multiple of the change between steps as given (`whole`) and
-/// others, both on the same coarse elements: of order 1, twice that of halved steps and once that
-/// of doubled ones. `ends`: the other point that ends each step.
+/// others, both on the same coarse elements: of order 1, twice that of halved steps. `ends`: the
+/// other point that ends each step.
 void add_step_errors(const std::vector<contact::PointResult>& whole,
                      const std::vector<contact::PointResult>& others,
                      const std::vector<std::size_t>& ends, double factor,

@@ -125,6 +125,9 @@ class WheelHistory {
     if (!steady_) way_ += length_;
     if (!first_) first_ = origin_of(contacts_.front());
     step_ = k;
+    // From rest two steps are one as long as both.
+    if (k == began_ && !steady_)
+      doubled_[(k + 1) % 2] = {coarse().cell, {}, {}, {}, way_ - length_};
   }
 
   /// Puts the wheel where the springs under its rail hold it.
@@ -209,8 +212,8 @@ class WheelHistory {
     for (std::size_t n = 0; n < levels_.size(); ++n) hand_on(levels_[n], levels_.size() - n + more);
     Level& doubled = doubled_[step_ % 2];
     if (more > 0) hand_on(doubled, 1);
-    // Such a history begins with one of the first two steps, and anew where it had no solution.
-    if (more == 0 || doubled.last.empty()) doubled = levels_[levels_.size() - 2];
+    // Such a history begins with single steps, and anew where it had no solution.
+    if (more == 0 || doubled.last.empty()) doubled = coarse();
     creepages_.clear();
     for (const Scene& scene : contacts_)
       creepages_.emplace_back(origin_of(scene).y, scene.points.front().creepage);
@@ -269,8 +272,11 @@ class WheelHistory {
 
   /// Whether this step and the one before are solved as one step, too.
   bool doubles() const {
-    return levels_.size() > 1 && !steady_ && length_ > 0.0 && step_ >= began_ + 2;
+    const bool after_steady = run_.input.starts_steady && began_ == 0;
+    return !steady_ && length_ > 0.0 && step_ > began_ + (after_steady ? 1 : 0);
   }
+
+  const Level& coarse() const { return levels_[levels_.size() - 2]; }
 
   std::shared_ptr<const StepPast> past_of(std::size_t own, bool finest_alone) const {
     std::vector<Interval> ranges;

@@ -147,7 +147,9 @@ PlacedWheels place_for_balance(const Case& input) {
   options.with_reserve = input.load.vertical_force.has_value();
   PlacedWheels placed;
   placed.search = search_scene_of(input);
-  placed.scenes = make_scenes(all_sides, placed.search, options);
+  // Where springs hold the rail is found in the balance.
+  if (!input.track.rail_stiffness)
+    placed.scenes = make_scenes(all_sides, placed.search, options);
   return placed;
 }
 
@@ -179,12 +181,15 @@ BalancedCase balance(const Case& input, const PlacedWheels& placed,
     Balanced& at = positions[k];
     for (const PlacedScene& scene : placed.scenes)
       if (scene.contact.place.position == position) at.here.push_back(scene);
-    if (input.track.rail_stiffness && !input.is_wheel_history()) {
+    if (input.track.rail_stiffness) {
       RailVector moved{};
-      WheelOnRail wheel = on_springs(input, placed.search, position, moved);
+      WheelOnRail wheel = contact::at_place(where(input, position), [&] {
+        return on_springs(case_at(input, k), placed.search, position, moved);
+      });
       at.here = std::move(wheel.placed);
       at.patches = std::move(wheel.balanced);
-      at.notes.push_back({"rail_springs", springs_text(moved)});
+      if (!input.is_wheel_history())
+        at.notes.push_back({"rail_springs", springs_text(moved)});
     } else {
       at.patches = kept_or_balanced(input, position, at.here, kept);
     }
@@ -205,6 +210,7 @@ BalancedCase balance(const Case& input, const PlacedWheels& placed,
 
 std::vector<std::string> untouched_wheels(const Case& input, const PlacedWheels& placed) {
   std::vector<std::string> texts;
+  if (input.track.rail_stiffness) return texts;
   for (std::size_t k = 0; k < input.wheelset.height.size(); ++k)
     for (const bool left : {true, false}) {
       const int position = static_cast<int>(k) + 1;

@@ -15,12 +15,20 @@ namespace rollfem::track {
 namespace {
 
 /// mm
-constexpr double first_step = 0.05, largest = 100.0, tolerance = 1e-6;
+constexpr double first_step = 0.05, farthest_start = 2.0, largest = 100.0, tolerance = 1e-6;
 constexpr int elements_across = 24;
 
-/// Zero of a function that grows, near `start`.
+/// Zero of a function that grows, near `start`. Where the bodies overlap too much to be solved
+/// there, the rail has given way further.
 double settled(const std::function<double(double)>& left, double start, const char* what) {
-  const double at_start = left(start);
+  double at_start = 0.0;
+  for (double step = first_step;; step *= 2.0) try {
+      at_start = left(start);
+      break;
+    } catch (const contact::Failure&) {
+      if (step > farthest_start) throw;
+      start += step;
+    }
   const auto found =
       contact::root_from(left, start, at_start, start + (at_start > 0.0 ? -first_step : first_step),
                          largest, tolerance, what);
