@@ -28,6 +28,13 @@ def positions(result):
     return sorted({m.place["position"] for m in result.models if m.place})
 
 
+def shown(result):
+    """The patches shown one by one: in a history those of the steps whose fields are stored."""
+    scenes = result.scenes()
+    return [(label, scene) for label, scene in scenes if any(m.points and m.points[0].fields for m in scene.models)] if (
+        is_history(result)) else scenes
+
+
 def pair(result, wheel, position):
     """Wheel on rail at one position with the contact points, and the distance between both; None without profiles."""
     drawn = result.profiles.get((wheel, position))
@@ -254,7 +261,7 @@ def contact_table(result):
     """One row for every patch: its place and the results of the models."""
     names = list(dict.fromkeys(m.name for m in result.models))
     rows = []
-    for _, scene in result.scenes():
+    for _, scene in shown(result):
         place, found = scene.models[0].place, {m.name: m.points[0] for m in reversed(scene.models) if m.points}
         rows.append([place["wheel"], f"{place['position']:.0f}", f"{place['patch']:.0f}",
                      *(tables.number(factor * place[name], digits) for _, name, factor, digits in COLUMNS),

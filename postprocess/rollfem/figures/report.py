@@ -100,7 +100,7 @@ def captioned(result):
     if not result.inputs:
         raise FileError(f"{result.folder} was written by an earlier version, without the keys of its case; do: run the case again, "
                         "or read its numbers with rollfem.read")
-    scenes = result.scenes()
+    scenes = positions.shown(result)
     yield ("friction_law.svg", "Friction over the slip velocity of an element, from rest to what is left of it at high "
            "velocities (dotted). Upright: the slip velocity of rigid bodies at the largest creepage. With memory, friction "
            "follows over the sliding distance given.", lambda: curves.friction_law(result))
@@ -257,10 +257,10 @@ MOST_PRINTED = 4
 
 def patches(result, figures, name="patch"):
     """The section of the patch; with several, the reader chooses the one shown. `name`: of the choice."""
-    if len(result.scenes()) < 2:
-        return "".join(_patch(scene, figures, "") for _, scene in result.scenes())
+    if len(scenes := positions.shown(result)) < 2:
+        return "".join(_patch(scene, figures, "") for _, scene in scenes)
     articles = []
-    for number, (label, scene) in enumerate(result.scenes(), 1):
+    for number, (label, scene) in enumerate(scenes, 1):
         words = positions.at_words(result, scene.models[0].place["position"])
         heading = label[0].upper() + label[1:] + ("," + words if words else "")
         articles.append(_patch(scene, figures.under(f"s{number}_"), heading))
@@ -271,7 +271,7 @@ def _chooser(result, articles, name):
     """One of many patches shown at a time, chosen in a table of positions and wheels; without a script. `articles`:
     HTML of each of the scenes; `name`: of the choice, unique on the page."""
     inputs, rules, parts, cells = [], [], [], {}
-    for number, ((label, scene), article) in enumerate(zip(result.scenes(), articles), 1):
+    for number, ((label, scene), article) in enumerate(zip(positions.shown(result), articles), 1):
         this, place = f"{name}{number}", scene.models[0].place
         cells.setdefault((place["position"], place["wheel"]), []).append(f'<label for="{this}">{place["patch"]:.0f}</label>')
         inputs.append(f'<input type=radio class=pick name="{name}" id="{this}" aria-label="{escape(label)}"'
