@@ -6,6 +6,7 @@
 #include "base/choices.hpp"
 #include "base/material.hpp"
 #include "base/profile_drop.hpp"
+#include "case/body_heat.hpp"
 #include "case/body_plasticity.hpp"
 #include "case/fall_shape.hpp"
 #include "case/irregularities.hpp"
@@ -31,6 +32,7 @@ struct Body {
   std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by rollfem
   ProfileSource profile;  ///< instead of the transverse radius
   std::optional<BodyPlasticity> plasticity;  ///< unset: elastic
+  std::optional<BodyHeat> heat;  ///< unset: that of steel if the other body has it, else none
 };
 
 /// Upper body (1): a surface of revolution about the axle.

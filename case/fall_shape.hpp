@@ -14,14 +14,15 @@ namespace rollfem::contact {
 struct FallShape {
   static constexpr std::size_t most_constants = 4;
   using Constants = std::array<double, most_constants>;
-  /// A constant of this law alone, for both f_i. It has no unit, because f_i is a function of s /
-  /// s_hi, and is a key of [friction] with a name of its own.
+  /// A constant of this law alone, for both f_i; a key of [friction] with a name of its own. Those
+  /// of a fall with slip have no unit, because f_i is a function of s / s_hi.
   struct Constant {
     const char* name = nullptr;  ///< null: none
     const char* symbol = "";
     double lower = 0.0, upper = 0.0;
     double otherwise = 0.0;  ///< without the key
     const char* sentence = "";
+    const char* unit = "";
   };
 
   /// f_i and its derivative by s / s_hi.
@@ -34,12 +35,16 @@ struct FallShape {
   Left (*left)(std::size_t i, double s_over_half, const Constants& own) = nullptr;
   /// The law may be given by Polach's A and B, with f_i = exp(-B s).
   bool polach = false;
+  /// mu follows the temperature of the surfaces instead of the slip: linear from
+  /// friction.coefficient at the first constant (degC) to the third at the second; no f_i.
+  bool by_temperature = false;
   std::array<Constant, most_constants> constants{};
 
   static const FallShape none;         ///< Coulomb's law
   static const FallShape linear;       ///< max(0, 1 - s/(2 s_hi))
   static const FallShape rational;     ///< 1/(1 + s/s_h1), 1/(1 + (s/s_h2)^2)
   static const FallShape exponential;  ///< 2^(-s/s_hi)
+  static const FallShape temperature;
 
   bool operator==(const FallShape& other) const { return std::string_view(word) == other.word; }
   bool operator!=(const FallShape& other) const { return !(*this == other); }

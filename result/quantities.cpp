@@ -207,6 +207,25 @@ std::vector<Quantity> of_the_solution() {
   };
 }
 
+std::vector<Quantity> of_the_heat() {
+  return {
+      {"max_temperature", "largest temperature", "T", "degC",
+       "largest temperature of the surfaces, with `[wheel_heat]` or `[rail_heat]`", Scale::value,
+       Use::stored, at<&P::max_temperature>()},
+      {"max_temperature_x", "x of the largest temperature", "", "mm",
+       "x of the element that has it", Scale::none, Use::stored, at<&P::max_temperature_x>(),
+       NoBar::one_grid},
+      {"max_temperature_y", "y of the largest temperature", "", "mm", "its y", Scale::none,
+       Use::stored, at<&P::max_temperature_y>(), NoBar::one_grid},
+      {"heat_wheel", "heat into the wheel", "", "N",
+       "N mm per mm rolled, negative where a cooler rail takes more than friction gives; that of "
+       "both bodies is the frictional work",
+       Scale::value, Use::stored, at<&P::heat_wheel>()},
+      {"heat_rail", "heat into the rail", "", "N", "the same of the rail", Scale::value,
+       Use::stored, at<&P::heat_rail>()},
+  };
+}
+
 std::vector<Quantity> of_the_passes() {
   return {
       {"plastic_strain", "accumulated plastic strain", "p", "-",
@@ -249,7 +268,7 @@ const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all = [] {
     std::vector<Quantity> list;
     for (const auto& part :
-         {of_the_motion(), of_the_forces(), of_the_patch(), of_the_solution(), of_the_passes()})
+         {of_the_motion(), of_the_forces(), of_the_patch(), of_the_solution(), of_the_heat(), of_the_passes()})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();
@@ -284,6 +303,10 @@ const std::vector<PointField>& point_fields() {
        [](F f) -> Field& { return f.displacement.n; }},
       {"work", "N/mm^2", "frictional work per area and distance rolled, local T-gamma/A",
        "its rows times dx are pass_work", [](F f) -> Field& { return f.work; }},
+      {"temperature_wheel", "degC", "temperature of the wheel's surface",
+       "in contact that of both surfaces", [](F f) -> Field& { return f.temperature_wheel; }},
+      {"temperature_rail", "degC", "temperature of the rail's surface",
+       "in contact that of both surfaces", [](F f) -> Field& { return f.temperature_rail; }},
   };
   return fields;
 }

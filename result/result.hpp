@@ -28,6 +28,7 @@ struct ContactFields {
   Field gap;                  ///< computed h + u_n - approach, mm: >= 0 to the tolerance; or empty
   SurfaceField displacement;  ///< u_wheel - u_rail, mm; empty for theories without it
   Field work;  ///< of friction, N/mm^2 (N mm per mm^2 and mm rolled); empty unless steadily rolling
+  Field temperature_wheel, temperature_rail;  ///< degC; empty unless the case gives [rail_heat]
   std::vector<ElementState> state;
 };
 
@@ -133,6 +134,9 @@ struct PointResult {
   std::optional<double> max_pass_work, pass_work_y_wheel, pass_work_y_rail, revolution_work;
   std::optional<double> patch_x_middle, patch_y_middle;
   std::optional<double> vertical_force, lateral_force_track, loaded_height;
+  // Where the case gives the heat of the bodies.
+  std::optional<double> max_temperature, max_temperature_x, max_temperature_y;
+  std::optional<double> heat_wheel, heat_rail;
   // After a pass over bodies that yield, of the body with the largest.
   std::optional<double> plastic_strain, plastic_increment, net_plastic_increment;
   std::optional<double> residual_stress, groove_depth, forward_flow, plastic_work;

@@ -21,6 +21,14 @@ FrictionLaw::Coefficient FallingFriction::at(double slip) const {
   return sum;
 }
 
+FrictionLaw::Coefficient TemperatureFriction::warm(double temperature) const {
+  const double slope =
+      (hot_.coefficient - cold_.coefficient) / (hot_.temperature - cold_.temperature);
+  if (temperature < cold_.temperature) return {cold_.coefficient, 0.0};
+  if (temperature > hot_.temperature) return {hot_.coefficient, 0.0};
+  return {cold_.coefficient + slope * (temperature - cold_.temperature), slope};
+}
+
 Friction coulomb(double coefficient) {
   return coefficient == 0.0 ? nullptr : std::make_shared<CoulombFriction>(coefficient);
 }
@@ -51,6 +59,10 @@ std::shared_ptr<FrictionLaw> law_of(const Case& input, const LawNumbers& at) {
   std::optional<FrictionMemory> memory;
   if (fall.memory_distance > 0.0)
     memory = FrictionMemory{fall.memory_distance, fall.memory_velocity / speed};
+  if (fall.shape.by_temperature)
+    return std::make_shared<TemperatureFriction>(TemperatureFriction::Point{at.own[0], at.rest},
+                                                 TemperatureFriction::Point{at.own[1], at.own[2]},
+                                                 surface_heat(input).value(), memory);
   return std::make_shared<FallingFriction>(
       fall.shape, at.kinetic,
       std::array<FallingFriction::Part, 2>{
@@ -131,8 +143,10 @@ Field coefficients_of(const Friction& friction, const ContactGrid& grid) {
 
 double mean_coefficient(const Friction& friction, const ContactGrid& grid, const Field& pressure) {
   const double sum = pressure.sum();
-  if (!friction || !friction->varies() || !(sum > 0.0)) return coefficient_of(friction);
-  return coefficients_of(friction, grid).dot(pressure) / sum;
+  if (!friction) return 0.0;
+  if (!friction->varies() || !(sum > 0.0)) return friction->largest();
+  return friction->largest() / friction->coefficient() *
+         coefficients_of(friction, grid).dot(pressure) / sum;
 }
 
 Field traction_bound(const Friction& friction, const ContactGrid& grid, const Field& pressure) {

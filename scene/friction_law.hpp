@@ -5,7 +5,9 @@
 
 #include "base/grid.hpp"
 #include "case/case.hpp"
+#include "scene/surface_heat.hpp"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
@@ -28,6 +30,8 @@ struct Plasticity {
   double yield_stress = 0.0;  ///< tau_c0, MPa
   double hardening = 0.0;     ///< k, MPa/mm; below 0 it softens
 };
+
+class TemperatureFriction;
 
 class FrictionLaw {
  public:
@@ -52,6 +56,11 @@ class FrictionLaw {
   /// this law everywhere.
   virtual std::shared_ptr<const FrictionLaw> of_row(double) const { return nullptr; }
   virtual bool varies() const { return false; }
+
+  /// The law if it follows the temperature, which elements ahead determine as well; else null.
+  virtual const TemperatureFriction* by_temperature() const { return nullptr; }
+  /// The largest mu that slip can lead to.
+  virtual double largest() const { return coefficient(); }
 
   /// mu without slip, the largest if it varies: the scale of forces, and the only number of the law
   /// that theories limited to Coulomb friction use.
@@ -99,6 +108,36 @@ class FallingFriction : public FrictionLaw {
   FallShape::Constants own_;
 };
 
+/// mu follows the temperature of the surfaces in contact, linearly between two temperatures and
+/// constant outside: in steady rolling, where heat comes from all elements ahead in the row.
+class TemperatureFriction : public FrictionLaw {
+ public:
+  struct Point {
+    double temperature = 0.0, coefficient = 0.0;  ///< degC, mu
+  };
+  TemperatureFriction(Point cold, Point hot, SurfaceHeat heat, std::optional<FrictionMemory> memory)
+      : cold_(cold), hot_(hot), heat_(heat), memory_(memory) {}
+
+  /// Before friction heats the surfaces.
+  Coefficient at(double) const override { return {warm(heat_.contact_temperature()).value, 0.0}; }
+  bool feels_slip() const override { return true; }
+  std::optional<FrictionMemory> memory() const override { return memory_; }
+  const TemperatureFriction* by_temperature() const override { return this; }
+
+  /// mu at a temperature, and its derivative by it.
+  Coefficient warm(double temperature) const;
+  /// The larger of cold and hot surfaces.
+  double largest() const override { return std::max(cold_.coefficient, hot_.coefficient); }
+  const Point& cold() const { return cold_; }
+  const Point& hot() const { return hot_; }
+  const SurfaceHeat& heat() const { return heat_; }
+
+ private:
+  Point cold_, hot_;
+  SurfaceHeat heat_;
+  std::optional<FrictionMemory> memory_;
+};
+
 /// A law for every row of elements.
 class VaryingFriction : public FrictionLaw {
  public:
@@ -111,6 +150,8 @@ class VaryingFriction : public FrictionLaw {
   std::optional<FrictionMemory> memory() const override { return most_->memory(); }
   Friction of_row(double y) const override { return of_row_(y); }
   bool varies() const override { return true; }
+  const TemperatureFriction* by_temperature() const override { return most_->by_temperature(); }
+  double largest() const override { return most_->largest(); }
 
  private:
   Friction most_;

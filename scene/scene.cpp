@@ -58,6 +58,7 @@ Scene::Scene(const Case& input)
       problem(input.rolling.problem),
       starts_steady(input.starts_steady),
       given_pressure(input.given_pressure),
+      heat(surface_heat(input)),
       speed(input.rolling.speed),
       upwind_order(input.rolling.upwind_order),
       leading_edge(input.rolling.leading_edge),

@@ -8,6 +8,7 @@
 #include "case/case.hpp"
 #include "scene/friction_law.hpp"
 #include "scene/geometry.hpp"
+#include "scene/surface_heat.hpp"
 
 #include <string>
 
@@ -77,6 +78,7 @@ struct Scene {
   std::shared_ptr<const StepPast> past;
   bool turns_freely = false;  ///< a wheelset's balance has found the rotation, and the creepages
   std::optional<GivenPressure> given_pressure;
+  std::optional<SurfaceHeat> heat;  ///< unset: temperatures are not asked for
   double speed = 0.0;  ///< mm/s
   UpwindOrder upwind_order = UpwindOrder::second;
   LeadingEdge leading_edge = LeadingEdge::fitted;

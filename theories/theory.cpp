@@ -6,6 +6,7 @@
 #include "result/bars.hpp"
 #include "result/derived.hpp"
 #include "result/quantities.hpp"
+#include "result/temperature.hpp"
 #include "theories/equivalent_ellipse.hpp"
 
 #include <cmath>
@@ -45,7 +46,8 @@ ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& sc
 
 /// Numbers from the fields on the contact grid, which no finer one confirms.
 bool is_pass_work(const std::string& quantity) {
-  for (const char* name : {"max_pass_work", "pass_work_y_wheel", "pass_work_y_rail"})
+  for (const char* name : {"max_pass_work", "pass_work_y_wheel", "pass_work_y_rail",
+                           "max_temperature", "heat_wheel", "heat_rail"})
     if (quantity == name) return true;
   return false;
 }
@@ -173,6 +175,11 @@ contact::Model with_pass_work(const contact::Model& theory) {
   return [=](const Scene& scene, const Progress& progress) {
     ModelResult result = theory(scene, progress);
     contact::place_pass_work({scene.geometry, contact::Chart::plane}, scene.place, result);
+    if (scene.heat) {
+      for (PointResult& point : result.points)
+        contact::set_temperatures(result.grid, *scene.heat, point);
+      contact::warn_of_temperature(*scene.heat, result);
+    }
     for (PointResult& point : result.points)
       for (const contact::Quantity& quantity : contact::quantities())
         if (is_pass_work(quantity.name) && quantity.value(point))

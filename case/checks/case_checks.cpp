@@ -213,8 +213,21 @@ void check_fall_of(const GivenCase& given, double mu, const FrictionFall& fall) 
             fmt::format("0 to {:g}", mu - kinetic), "make it a part of that fall");
 }
 
+void check_temperatures_of(const GivenCase& given, const FrictionFall& fall) {
+  const double cold = fall.constants[0].value_or(fall.shape.constants[0].otherwise);
+  if (!(*fall.constants[1] > cold))
+    fail_at(given, "friction.hot_temperature", "is not above friction.cold_temperature",
+            fmt::format("above {:g} degC", cold), "give the higher temperature here");
+}
+
 void check_fall(const GivenCase& given, const Case& input) {
   if (input.friction_fall.shape == FallShape::none || input.friction_coefficient == 0.0) return;
+  if (input.friction_fall.shape.by_temperature) {
+    check_temperatures_of(given, input.friction_fall);
+    for (const FrictionVariation::Point& point : input.friction_variation.points)
+      check_temperatures_of(given, point.fall);
+    return;
+  }
   if (input.friction_variation.points.empty())
     check_fall_of(given, input.friction_coefficient, input.friction_fall);
   for (const FrictionVariation::Point& point : input.friction_variation.points)

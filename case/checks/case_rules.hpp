@@ -91,7 +91,12 @@ inline const Condition steps = shift || transient;
 inline const Condition slip_from_file = is("rolling", "extra_slip", "file");
 inline const Condition torque_of_one =
     is("wheelset", "free_rolling", "torque") && !is("wheelset", "side", "both");
-inline const Condition friction_falls = !is("friction", "law", FallShape::none.word);
+/// mu follows the temperature instead of the slip.
+inline const Condition by_temperature = Condition([](const GivenCase& given) {
+  return fall_shape(word_of(given, "friction", "law")).by_temperature;
+});
+inline const Condition friction_falls =
+    !is("friction", "law", FallShape::none.word) && !by_temperature;
 /// The law has no other spelling of its numbers.
 inline const Condition no_polach = Condition(
     [](const GivenCase& given) { return !fall_shape(word_of(given, "friction", "law")).polach; });
@@ -115,6 +120,7 @@ inline const Condition wheel_varies =
 inline const Condition rounded_flat =
     has("wheel_flat", "shape") && is("wheel_flat", "shape", "rounded");
 inline const Condition yields = any_of("wheel_plasticity") || any_of("rail_plasticity");
+inline const Condition heat = any_of("wheel_heat") || any_of("rail_heat");
 inline const Condition layer = has("layer", "thickness") || has("layer", "shear_modulus");
 
 }  // namespace when

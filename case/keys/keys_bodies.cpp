@@ -25,10 +25,10 @@ void add_material(Keys<Body>& keys) {
            "Young's modulus, of steel by default; inf: a rigid body (not both).");
   keys.add("poisson_ratio", inside(&Body::material, &Material::poisson_ratio), symbol("nu"),
            upper_open(between(0.0, 0.5)), "Poisson's ratio; 0.5 (incompressible) is not covered.");
-  keys.add(
-      "density", inside(&Body::material, &Material::density), symbol("rho"), unit("t/mm^3"),
-      zero_or(1e-15, 1e-7),
-      "Mass density, of steel by default (1 t/mm^3 = 1e12 kg/m^3); matters only with fem.inertia.");
+  keys.add("density", inside(&Body::material, &Material::density), symbol("rho"), unit("t/mm^3"),
+           zero_or(1e-15, 1e-7),
+           "Mass density, of steel by default (1 t/mm^3 = 1e12 kg/m^3); matters for fem.inertia "
+           "and for heat.");
 }
 
 /// `names`: built-in profiles.
@@ -161,6 +161,25 @@ SectionWithKeys plasticity_section(const std::string& name, Body Case::*body) {
                unit(own.unit), own.may_be_negative ? within(largest) : zero_or(smallest, largest),
                std::string(own.sentence));
   add_residual_stress(keys);
+  return keys;
+}
+
+template <class Body>
+SectionWithKeys heat_section(const std::string& name, Body Case::*body) {
+  Keys<BodyHeat> keys(name + "_heat",
+                      "Heat of friction in the " + name +
+                          "; with it or that of the other body, results have temperatures "
+                          "(docs/heat.md)",
+                      optional_part<BodyHeat>(body, &Body::heat));
+  keys.section().alternatives = true;
+  keys.add("temperature", &BodyHeat::temperature, unit("degC"), between(-273.0, 1500.0),
+           "Temperature before contact.");
+  keys.add("conductivity", &BodyHeat::conductivity, symbol("lambda"), unit("W/(m K)"),
+           between(1e-3, 1e4), "Heat conductivity, of steel by default.");
+  keys.add("heat_capacity", &BodyHeat::capacity, symbol("c"), unit("J/(kg K)"), between(1.0, 1e5),
+           "Heat capacity, of steel by default; the density is " + name + ".density.");
+  keys.add("limit", &BodyHeat::limit, unit("degC"), between(-273.0, 1e4),
+           "Temperature of the surface above which results warn: where steel transforms.");
   return keys;
 }
 
@@ -385,7 +404,9 @@ Sections body_sections() {
           corrugation_section(),
           dip_section(),
           plasticity_section("wheel", &Case::wheel),
-          plasticity_section("rail", &Case::rail)};
+          plasticity_section("rail", &Case::rail),
+          heat_section("wheel", &Case::wheel),
+          heat_section("rail", &Case::rail)};
 }
 
 }  // namespace rollfem::contact

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rollfem::contact {
 
@@ -78,8 +79,10 @@ void add_constants(Keys<Case>& keys, const FallShape& shape) {
       return c.friction_fall.shape == shape ? get(c) : KeyValue();
     };
     keys.add(KeyKind::numbers, own.name, access, per("friction points"), symbol(own.symbol),
-             between(own.lower, own.upper),
-             otherwise(fmt::format("{:g} with the law `{}`", own.otherwise, shape.word)),
+             unit(own.unit), between(own.lower, own.upper),
+             otherwise(std::isnan(own.otherwise)
+                           ? fmt::format("required by the law `{}`", shape.word)
+                           : fmt::format("{:g} with the law `{}`", own.otherwise, shape.word)),
              std::string(own.sentence));
   }
 }
@@ -88,8 +91,9 @@ void add_fall(Keys<Case>& keys) {
   const auto kind = KeyKind::numbers;
   const auto each = per("friction points");
   keys.add("law", inside(&Case::friction_fall, &FrictionFall::shape), laws(),
-           "How friction falls with the slip velocity (formulas in docs/friction.md); all but "
-           "`constant` need rolling.speed, except in a shift.");
+           "How friction falls with the slip velocity, or follows the temperature of the surfaces "
+           "(formulas in docs/friction.md); all but `constant` need rolling.speed, except in a "
+           "shift.");
   keys.add(kind, "kinetic_coefficient", of_falls(&FrictionFall::kinetic_coefficient), each,
            symbol("mu_kin"), between(1e-14, 1000.0),
            otherwise("required unless the law is `constant`"),

@@ -63,6 +63,16 @@ void FrictionState::begin(const ContactGrid& grid, const TangentialProblem& prob
   memory_ = law_->memory();
   for (Eigen::VectorXd* values : {&coefficient_, &by_own_, &by_ahead_, &carried_})
     values->resize(count_);
+  warming_.resize(0);
+  if (const TemperatureFriction* by = law_->by_temperature()) {
+    const SurfaceHeat& heat = by->heat();
+    const double by_flow = heat.speed / (heat.wheel.effusivity + heat.rail.effusivity);
+    warming_ = Eigen::VectorXd::NullaryExpr(
+        grid.nx, [&](Index i) { return by_flow * heat.warming(grid.dx, static_cast<int>(i)); });
+    for (Eigen::VectorXd* values :
+         {&sizes_, &flow_, &by_temperature_, &part_, &part_ahead_, &flow_change_})
+      values->resize(count_);
+  }
   direction_.resize(2 * count_);
   yield_.assign(plasticity_ ? places.size() : 0, {});
   trial_direction_.resize(plasticity_ ? 2 * count_ : 0);
@@ -148,6 +158,14 @@ double FrictionState::steepness(double compliance) const {
       largest =
           std::max(largest, contact::steepness(law(e), problem_->pressure.maxCoeff(),
                                                problem_->motion.slip_factor * compliance, way));
+  if (warming_.size() > 0) {
+    const TemperatureFriction& by = *law_->by_temperature();
+    const double p = problem_->pressure.maxCoeff(),
+                 fall = by.cold().coefficient - by.hot().coefficient;
+    largest =
+        std::max(largest, fall / (by.hot().temperature - by.cold().temperature) * warming_.sum() *
+                              p * p * by.largest() * problem_->motion.slip_factor * compliance);
+  }
   if (!hardens()) return largest;
   // A layer that softens loses -k |w| h, in steady rolling half of it by the element's own slip.
   return std::max(largest, -plasticity_->hardening * (steps ? way : 0.5 * way) *
@@ -194,10 +212,11 @@ void FrictionState::follow(const Given& slip, const Given& trial) {
   double size_ahead = 0.0;
   for (Index e = count_; e-- > 0;) {
     const double size = slip_at(slip, e);
-    Ahead own = follow_friction(e, size, ahead);
+    Ahead own = warming_.size() > 0 ? follow_temperature(e, size, ahead)
+                                    : follow_friction(e, size, ahead, law(e).at(size));
     if (plasticity_) follow_yield(e, size, size_ahead, std::hypot(trial[e], trial[count_ + e]));
     if (yields(e)) {  // without slip
-      own = follow_friction(e, 0.0, ahead);
+      own = follow_friction(e, 0.0, ahead, law(e).at(0.0));
       by_own_[e] = own.law.by_slip = 0.0;
     }
     ahead = own;
@@ -209,8 +228,8 @@ void FrictionState::follow(const Given& slip, const Given& trial) {
 /// mu_s linear in t between both, dmu/dt = mu_s - mu has the solution
 /// mu = e^-dt mu' + (1 - m) mu_s + (m - e^-dt) mu_s', m = (1 - e^-dt)/dt:
 /// second order, a mean with positive weights however long the step, and mu_s for dt to infinity.
-FrictionState::Ahead FrictionState::follow_friction(Index e, double size, const Ahead& ahead) {
-  const FrictionLaw::Coefficient own = law(e).at(size);
+FrictionState::Ahead FrictionState::follow_friction(Index e, double size, const Ahead& ahead,
+                                                    const FrictionLaw::Coefficient& own) {
   coefficient_[e] = own.value;
   by_own_[e] = own.by_slip;
   by_ahead_[e] = carried_[e] = 0.0;
@@ -234,6 +253,49 @@ FrictionState::Ahead FrictionState::follow_friction(Index e, double size, const 
     carried_[e] = left;
   }
   return {own, rate, rate_by_slip};
+}
+
+double FrictionState::warmed(Index e, const Eigen::VectorXd& flows) const {
+  const auto place = [&](Index f) { return (*places_)[static_cast<std::size_t>(f)]; };
+  const Index own = place(e), end = own - own % grid_->nx + grid_->nx;
+  double sum = 0.0;
+  for (Index f = e + 1; f < count_ && place(f) < end; ++f)
+    sum += warming_[place(f) - own] * flows[f];
+  return sum;
+}
+
+/// The element's own heat g |w| warms it as well, with g = p_n (c_0 + c mu(T)) and mu linear in T
+/// between two kinks: the lowest temperature at which both agree, to which it warms first.
+FrictionState::Ahead FrictionState::follow_temperature(Index e, double size, const Ahead& ahead) {
+  const TemperatureFriction& own = *law(e).by_temperature();
+  const auto coefficient = [&](double mu) {
+    follow_friction(e, size, ahead, {mu, 0.0});
+    return coefficient_[e];
+  };
+  const double without = coefficient(0.0), part = coefficient(1.0) - without;
+  const bool alone = !memory_ || leads_[static_cast<std::size_t>(e)];
+  part_[e] = part;
+  part_ahead_[e] = alone ? 0.0 : 1.0 - carried_[e] - part;
+  const double before = own.heat().contact_temperature() + warmed(e, flow_);
+  const double by_bound = warming_[0] * size * pressure(e);
+  const auto lacking = [&](double temperature) {
+    return before + by_bound * (without + part * own.warm(temperature).value) - temperature;
+  };
+  double temperature = before;
+  bool found = false;
+  for (const double kink : {own.cold().temperature, own.hot().temperature}) {
+    if (found || temperature >= kink) continue;
+    const double here = lacking(temperature), there = lacking(kink);
+    found = there <= 0.0;
+    temperature = found ? temperature + (kink - temperature) * here / (here - there) : kink;
+  }
+  if (!found) temperature += lacking(temperature);
+  const FrictionLaw::Coefficient law = own.warm(temperature);
+  const Ahead made = follow_friction(e, size, ahead, {law.value, 0.0});
+  by_temperature_[e] = law.by_slip;
+  sizes_[e] = size;
+  flow_[e] = coefficient_[e] * pressure(e) * size;
+  return made;
 }
 
 /// Where friction is the lower bound, a layer that hardens has yielded until its stress reached
@@ -310,12 +372,21 @@ void FrictionState::add_stiff(std::vector<char>& adheres) const {
 
 void FrictionState::change(const Given& slip_change, const Given& trial_change,
                            Vector bound_change) const {
-  double ahead = 0.0, coefficient_ahead = 0.0, plastic_ahead = 0.0;
+  double ahead = 0.0, coefficient_ahead = 0.0, law_ahead = 0.0, plastic_ahead = 0.0;
   for (Index e = count_; e-- > 0;) {
     const Index f = count_ + e;
     const double size = direction_[e] * slip_change[e] + direction_[f] * slip_change[f];
-    const double coefficient =
-        by_own_[e] * size + by_ahead_[e] * ahead + carried_[e] * coefficient_ahead;
+    double coefficient = by_own_[e] * size + by_ahead_[e] * ahead + carried_[e] * coefficient_ahead;
+    if (warming_.size() > 0) {
+      coefficient += part_ahead_[e] * law_ahead;
+      const double own = warming_[0] * pressure(e);
+      const double others =
+          warmed(e, flow_change_) + own * (coefficient_[e] * size + sizes_[e] * coefficient);
+      law_ahead =
+          by_temperature_[e] * others / (1.0 - by_temperature_[e] * own * sizes_[e] * part_[e]);
+      coefficient += part_[e] * law_ahead;
+      flow_change_[e] = pressure(e) * (coefficient_[e] * size + sizes_[e] * coefficient);
+    }
     bound_change[e] = coefficient * pressure(e);
     if (plasticity_) {
       const Yield& own = yield_[static_cast<std::size_t>(e)];

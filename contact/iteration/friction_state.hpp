@@ -5,6 +5,8 @@
 // from what the particle had before. Both are implicit in the slip, so that Newton's method sees
 // how slip upstream changes the bounds downstream: the derivative is a bidiagonal system per row.
 // The plastic displacement of a layer that hardens or softens (Plasticity) is carried likewise.
+// Where mu follows the temperature, heat from all elements ahead in the row warms an element, so
+// that the derivative is a triangular system per row.
 #pragma once
 
 #include "base/grid.hpp"
@@ -137,7 +139,7 @@ class FrictionState {
   void change(const Given& slip_change, const Given& trial_change, Vector bound_change) const;
 
  private:
-  /// Law and rate of an element, on which the element behind it depends.
+  /// Law (mu_s) and rate of an element, on which the element behind it depends.
   struct Ahead {
     FrictionLaw::Coefficient law;
     double rate = 0.0, rate_by_slip = 0.0;
@@ -167,7 +169,11 @@ class FrictionState {
   double yield_stress(double plastic, double friction) const;
   /// Computes mu and u* of all elements, with their derivatives.
   void follow(const Given& slip, const Given& trial);
-  Ahead follow_friction(Index e, double size, const Ahead& ahead);
+  Ahead follow_friction(Index e, double size, const Ahead& ahead,
+                        const FrictionLaw::Coefficient& own);
+  Ahead follow_temperature(Index e, double size, const Ahead& ahead);
+  /// Sum over the elements ahead in the row of their warming times `flows`, K.
+  double warmed(Index e, const Eigen::VectorXd& flows) const;
   void follow_yield(Index e, double size, double size_ahead, double trial);
 
   const ContactGrid* grid_ = nullptr;
@@ -185,8 +191,14 @@ class FrictionState {
   Eigen::VectorXd coefficient_;
   Eigen::VectorXd by_own_, by_ahead_, carried_;  ///< dmu/d|w|, dmu/d|w ahead|, dmu/dmu ahead
   std::vector<Yield> yield_;                     ///< empty: no plasticity
-  Eigen::VectorXd direction_;                    ///< w/|w| times slip_factor
-  Eigen::VectorXd trial_direction_;              ///< q/|q|; empty: no plasticity
+  // Where mu follows the temperature; otherwise empty.
+  Eigen::VectorXd warming_;            ///< K by g |w|, MPa, over the distance in elements
+  Eigen::VectorXd sizes_, flow_;       ///< |w|, g |w|
+  Eigen::VectorXd by_temperature_;     ///< dmu_s/dT of the law, 1/K
+  Eigen::VectorXd part_, part_ahead_;  ///< of mu_s of the element and of that ahead in mu
+  mutable Eigen::VectorXd flow_change_;
+  Eigen::VectorXd direction_;        ///< w/|w| times slip_factor
+  Eigen::VectorXd trial_direction_;  ///< q/|q|; empty: no plasticity
 };
 
 }  // namespace rollfem::contact

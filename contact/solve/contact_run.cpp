@@ -9,6 +9,7 @@
 #include "result/derived.hpp"
 #include "result/free_ends.hpp"
 #include "result/quantities.hpp"
+#include "result/temperature.hpp"
 #include "result/validity.hpp"
 
 #include <fmt/format.h>
@@ -393,6 +394,7 @@ void ContactRun::add_energies(TangentialField rigid_slip, PointResult& point) co
   }
   set_works(result_.grid, shape_, rigid_slip, geometry_.extra_slip(point.creepage, result_.grid),
             elasticity_->is_halfspace(), point);
+  if (scene_.heat) set_temperatures(result_.grid, *scene_.heat, point);
 }
 
 // Where friction falls so steeply that load points have several states or none.

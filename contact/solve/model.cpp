@@ -97,7 +97,11 @@ const std::vector<DemandRow>& rows() {
        [](const Scene& c) { return c.wheel.material.rigid() || c.rail.material.rigid(); }},
       {Demand::stress_in_rigid_body, "subsurface", "the stress in a rigid body", stress_in_rigid},
       {Demand::falling_friction, "friction.law", "friction that falls with the slip velocity",
-       [](const Scene& c) { return c.friction() && c.friction()->feels_slip(); }},
+       [](const Scene& c) {
+         return c.friction() && c.friction()->feels_slip() && !c.friction()->by_temperature();
+       }},
+      {Demand::heated_friction, "friction.law", "friction that follows the temperature",
+       [](const Scene& c) { return c.friction() && c.friction()->by_temperature(); }},
       {Demand::varying_friction, "friction.inclination or lateral_position",
        "friction that varies over the rail",
        [](const Scene& c) { return c.friction() && c.friction()->varies(); }},

@@ -44,6 +44,7 @@ enum class Demand {
   rigid_body,
   stress_in_rigid_body,
   falling_friction,   ///< that falls with the slip velocity
+  heated_friction,    ///< that follows the temperature of the surfaces
   varying_friction,   ///< over the inclination of the rail
   layer,              ///< between wheel and rail
   plastic_layer,      ///< that yields

@@ -23,6 +23,7 @@
 #include "halfspace/patch/coverage.hpp"
 #include "result/derived.hpp"
 #include "result/record.hpp"
+#include "result/temperature.hpp"
 #include "scene/geometry.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -446,6 +447,7 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
              [&](const RootProcess::Command& command) { shared.execute(command); });
   }
   contact::place_pass_work(geometry, scene.place, result);
+  if (scene.heat) contact::warn_of_temperature(*scene.heat, result);
   return result;
 }
 

@@ -72,6 +72,8 @@ constexpr Rule of_largest_traction{0.0, 0.65, 0.70};
 constexpr Rule of_largest_traction_x{0.0, 0.74, 1.00};
 /// Largest error at any y.
 constexpr Rule of_pass_work{0.15, 1.17, 1.24, 1.2, 1.3};
+/// Of the warming by friction: as the work of a row, of which it is an integral.
+constexpr Rule of_temperature{0.2, 1.00, 1.20};
 constexpr Rule of_creepage_work{0.2, 1.50, 1.50, 1.5};
 constexpr Rule of_creepage{0.4, 1.70, 2.50};
 constexpr Rule of_stress{0.3, 0.60, 0.75};
@@ -341,16 +343,20 @@ void Bars::set_works() const {
   set("max_pass_work", of_pass_work,
       std::hypot(of_rows * (added.size() > 0 ? added.cwiseAbs().maxCoeff() : 0.0),
                  over_grid(of_largest * *fine_.max_pass_work)));
+  if (fine_.max_temperature)
+    set("max_temperature", of_temperature,
+        over_grid(0.3 * (*fine_.max_temperature - fine_.fields.temperature_rail.minCoeff())));
   // In full sliding it is the bound times the creepage.
   constexpr double of_balance = 0.05, size = 1.5, of_found = 0.3;
   const double adhering = part_in_adhesion();
   const double found = std::hypot(fine_.longitudinal_force * change("longitudinal_creepage"),
                                   fine_.lateral_force * change("lateral_creepage"));
-  for (const char* name : {"frictional_work", "creepage_work"})
-    set(name, of_creepage_work,
-        root_of_squares({of_balance * adhering * imbalance(),
-                         over_grid(size * std::sqrt(adhering) * value(fine_, name)),
-                         of_found * found}));
+  for (const char* name : {"frictional_work", "creepage_work", "heat_wheel", "heat_rail"})
+    if (known(name))
+      set(name, of_creepage_work,
+          root_of_squares({of_balance * adhering * imbalance(),
+                           over_grid(size * std::sqrt(adhering) * value(fine_, name)),
+                           of_found * found}));
 }
 
 void Bars::set_creepages() const {

@@ -20,6 +20,7 @@
 #include "result/free_ends.hpp"
 #include "result/quantities.hpp"
 #include "result/refinement.hpp"
+#include "result/temperature.hpp"
 #include "result/validity.hpp"
 #include "scene/geometry.hpp"
 
@@ -494,6 +495,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   contact::warn_of_steep_friction(fine, scene.friction(), result.notes);
   result.points = std::move(fine.points);
   contact::place_pass_work(halfspace_geometry(scene), scene.place, result);
+  if (scene.heat) contact::warn_of_temperature(*scene.heat, result);
   add_notes(scene, result);
   if (!warning.empty()) result.notes.push_back({"waves", std::move(warning)});
   result.seconds["total"] = watch.seconds();

@@ -228,7 +228,7 @@ Tree quantities_tree() {
 /// A law that falls with the slip velocity, tabulated for figures and reports.
 void add_friction_law(Tree& tree, const contact::Case& input) {
   const contact::Friction law = contact::friction_of(input);
-  if (!law || !law->feels_slip()) return;
+  if (!law || !law->feels_slip() || law->by_temperature()) return;
   const double speed = input.rolling.slip_speed();
   constexpr int per_decade = 30;
   std::vector<std::array<double, 2>> rows{{0.0, law->coefficient()}};
