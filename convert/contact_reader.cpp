@@ -90,6 +90,10 @@ void read_friction(InputLines& lines, ContactCase& next, int sets) {
       read.fkin = values[values.size() - 5];
       read.fstat = read.fkin + read.fall[0] + read.fall[2];
     }
+    if (L == 6) {
+      read.fstat = values[values.size() - 4];
+      std::copy(values.end() - 3, values.end(), read.fall.begin());
+    }
   }
   if (L >= 2) lines.read(next.memory, {"MEMDST", "MEM_S0"});
   next.friction_law = L;
@@ -115,9 +119,14 @@ void read_material(InputLines& lines, ContactCase& next) {
   if (d.M == 3 || d.M == 5) lines.read(bodies.slope_reduction, {"K0_MF", "ALFAMF", "BETAMF"});
   if (d.M == 4) lines.read(bodies.layer, {"GG3", "LAYTHK", "TAU_C0", "K_TAU"});
   if (d.M2 == 2) lines.numbers({"CDAMPN", "CDAMPT", "DFNMAX", "DFTMAX"});
-  if (d.H != 3) return;
-  for (int body = 0; body < 2; ++body) lines.numbers({"BKTEMP", "HEATCP", "LAMBDA", "DENSITY"});
-  if (d.M == 4) lines.numbers({"BETAPL"});
+}
+
+/// Also without new materials.
+void read_heat(InputLines& lines, ContactCase& next) {
+  if (next.digits.H != 3) return;
+  for (auto& heat : next.bodies.heat)
+    lines.read(heat, {"BKTEMP", "HEATCP", "LAMBDA", "DENSITY"});
+  if (next.digits.M == 4) lines.numbers({"BETAPL"});
 }
 
 void read_potential_contact(InputLines& lines, ContactCase& next) {
@@ -309,6 +318,7 @@ void read_single_contact(InputLines& lines, ContactCase& next) {
     if (digits.T == 2 || digits.T == 3) lines.read(next.rolling, {"CHI", "DQ", "VELOC"}, 1);
     read_material(lines, next);
   }
+  read_heat(lines, next);
   if (digits.D == 2) read_potential_contact(lines, next);
   if (digits.Z == 2 && next.potential.ipotcn > 0) read_undeformed_distance(lines, next);
   if (digits.L != 1 && by_row) read_friction(lines, next, next.potential.my);
@@ -322,6 +332,7 @@ void read_wheel_on_rail(InputLines& lines, ContactCase& next) {
   if (digits.G != 1) read_solver(lines, next);
   if (digits.L != 1) read_friction(lines, next, digits.V == 0 ? 1 : lines.integer("NVF", 1, 10000));
   if (digits.C >= 2 && digits.C <= 4) read_material(lines, next);
+  read_heat(lines, next);
   read_wheel_rail(lines, next);
 }
 

@@ -27,6 +27,7 @@ struct BodyConstants {
   int influence = 2;                                     ///< digit C as last given
   std::array<double, 3> slope_reduction{1.0, 1.0, 1.0};  ///< K0_MF, ALFAMF, BETAMF
   std::array<double, 4> layer{};                         ///< GG3, LAYTHK, TAU_C0, K_TAU
+  std::array<std::array<double, 4>, 2> heat{};           ///< BKTEMP, HEATCP, LAMBDA, DENSITY
 };
 
 /// The potential contact area of module 3.
@@ -74,7 +75,7 @@ struct StressBlock {
 struct FrictionSet {
   double place = 0.0;              ///< ALPHVF, rad, negative on the gauge face; SVF, mm; else 0
   double fstat = 0.0, fkin = 0.0;  ///< at rest, sliding
-  std::array<double, 4> fall{};    ///< F1, SABSH1, F2, SABSH2 of L = 2 to 4
+  std::array<double, 4> fall{};    ///< F1, SABSH1, F2, SABSH2 of L = 2 to 4; TREF, DFHEAT, DTHEAT
 };
 
 struct ContactCase {

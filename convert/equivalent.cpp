@@ -109,6 +109,15 @@ bool falls(const ContactCase& given) {
   return given.friction_law >= 2 && given.friction_law <= 4;
 }
 
+bool follows_temperature(const ContactCase& given) {
+  return given.friction_law == 6;
+}
+
+/// Temperatures are those of steady rolling.
+bool is_heated(const ContactCase& given) {
+  return given.digits.H > 0 && given.digits.T == 3 && !is_simplified(given.digits);
+}
+
 /// Friction in every row of elements of module 3, whose places fill_single_contact knows.
 bool by_rows(const ContactCase& given) {
   return given.module == 3 && given.friction.size() > 1;
@@ -132,6 +141,15 @@ void fill_coefficients(const ContactCase& given, Equivalent& made) {
     made.note(!along,
               "digit V = 1: every row of elements has the friction of its own inclination; CONTACT "
               "takes one for a planar contact");
+  }
+  if (follows_temperature(given) && given.digits.T != 0) {
+    made.set_word("friction", "law", contact::FallShape::temperature.word);
+    set("cold_temperature", "degC, TREF", [](const FrictionSet& one) { return one.fall[0]; });
+    set("hot_temperature", "TREF + DTHEAT",
+        [](const FrictionSet& one) { return one.fall[0] + one.fall[2]; });
+    set("hot_coefficient", "FREF + DFHEAT",
+        [](const FrictionSet& one) { return one.fstat + one.fall[1]; });
+    return;
   }
   if (!falls(given) || given.digits.T == 0) return;
   const auto number = static_cast<std::size_t>(given.friction_law - 1);
@@ -157,15 +175,16 @@ void fill_friction(const ContactCase& given, Equivalent& made) {
     made.set("layer", "yield_stress", layer[2], "MPa");
     if (layer[3] != 0.0) made.set("layer", "hardening", layer[3], "MPa/mm");
   }
-  if (!falls(given) || given.digits.T == 0) return;
-  if (given.memory[0] > 0.0) {
+  if ((!falls(given) && !follows_temperature(given) && !is_heated(given)) || given.digits.T == 0)
+    return;
+  if (given.memory[0] > 0.0 && given.friction_law >= 2) {
     constexpr double least_velocity = 1e-6;  // stands for 0
     made.set("friction", "memory_distance", given.memory[0], "mm");
     made.set("friction", "memory_velocity", std::max(given.memory[1], least_velocity), "mm/s");
   }
   const bool simplified = is_simplified(given.digits);
-  made.from_sliding = given.initial_slip < 0 && !simplified;
-  made.note(given.initial_slip == 0 && given.memory[0] == 0.0 && !simplified,
+  made.from_sliding = given.friction_law >= 2 && given.initial_slip < 0 && !simplified;
+  made.note(falls(given) && given.initial_slip == 0 && given.memory[0] == 0.0 && !simplified,
             "INISLP = 0: where friction falls so steeply that a case has several states, CONTACT "
             "takes one near the case before, rollfem the one with the most friction");
   if (given.module == 1)
@@ -184,7 +203,8 @@ void judge_friction(const ContactCase& given, Equivalent& made) {
   made.refuse(by_rows(given) && digits.F > 0,
               "digits V, F: forces relative to friction that varies");
   made.refuse(by_rows(given) && is_simplified(digits), "V", over, "FASTSIM with friction in rows");
-  made.refuse(law != 0 && !falls(given), "L", law, "temperature-dependent friction");
+  made.refuse(follows_temperature(given) && !is_heated(given), "L", law,
+              "friction by temperature without digit H in steady rolling");
   for (const FrictionSet& one : given.friction) {
     made.refuse(law == 0 && std::abs(one.fstat - one.fkin) > 1e-3 * one.fstat,
                 fmt::format("FSTAT = {:g} and FKIN = {:g} differ: rollfem has one coefficient "
@@ -247,7 +267,8 @@ void note_settings(const ContactCase& given, Equivalent& made) {
   made.note(d.S > 0 && (given.module == 1 || d.M != 0),
             "stresses below the surface (digit S) are not converted: rollfem stress computes them "
             "after the run");
-  made.note(d.H > 0, "temperatures (digit H) are not calculated");
+  made.note(d.H > 0 && !is_heated(given),
+            "temperatures (digit H) are calculated in steady rolling of half-spaces alone");
   made.note(d.R >= 2, fmt::format("digit R = {}: CONTACT would not run this case", d.R));
   made.note(d.V != 0 && d.T == 0, "digit V has no effect without friction");
   made.note(given.bodies.influence == 3,
@@ -317,13 +338,21 @@ void Equivalent::set_word(const std::string& section, const std::string& key,
   fixed[section].push_back(key + " = " + contact::toml_text(word));
 }
 
-void fill_bodies(const BodyConstants& bodies, const std::array<const char*, 2>& sections,
+void fill_bodies(const ContactCase& given, const std::array<const char*, 2>& sections,
                  Equivalent& made) {
   for (std::size_t body = 0; body < 2; ++body) {
+    const BodyConstants& bodies = given.bodies;
     const double nu = bodies.poisson[body], G = bodies.shear_modulus[body];
     made.set(sections[body], "young_modulus", 2.0 * G * (1.0 + nu),
              fmt::format("MPa, G = {:g}", G));
     made.set(sections[body], "poisson_ratio", nu);
+    if (!is_heated(given)) continue;
+    const auto& [temperature, capacity, conductivity, density] = bodies.heat[body];
+    const std::string heat = std::string(sections[body]) + "_heat";
+    made.set(sections[body], "density", 1e-3 * density, "t/mm^3");
+    made.set(heat, "temperature", temperature, "degC");
+    made.set(heat, "heat_capacity", capacity, "J/(kg K)");
+    made.set(heat, "conductivity", 1e3 * conductivity, "W/(m K)");
   }
 }
 

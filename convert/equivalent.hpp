@@ -64,8 +64,9 @@ bool rolls_backwards(const ContactCase& given);
 /// Of the wheelset over the track, or of the surface of rollers, mm/s: module 1.
 double forward_speed(const ContactCase& given);
 
-/// Parts of equivalent_of. Young's modulus and Poisson's ratio of the two bodies in these sections.
-void fill_bodies(const BodyConstants& bodies, const std::array<const char*, 2>& sections,
+/// Parts of equivalent_of. Young's modulus, Poisson's ratio and heat of the two bodies in these
+/// sections.
+void fill_bodies(const ContactCase& given, const std::array<const char*, 2>& sections,
                  Equivalent& made);
 /// Entries for the points of digit S with elements starting at (x, y); `sign`: sign of our axes
 /// relative to CONTACT's.

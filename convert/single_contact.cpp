@@ -361,7 +361,7 @@ void fill_single_contact(const ContactCase& given, Equivalent& made) {
   judge_values(given, made);
   if (!made.impossible.empty()) return;
   const auto sign = turn(given, made);
-  fill_bodies(given.bodies, {"wheel", "rail"}, made);
+  fill_bodies(given, {"wheel", "rail"}, made);
   if (!sign) return;
   const double modulus =
       contact::combine(material(given.bodies, 0), material(given.bodies, 1)).contact_modulus;

@@ -228,7 +228,7 @@ void fill_wheel_rail(const ContactCase& given, const std::string& profile_folder
   const WheelRail& pair = given.wheel_rail;
   made.set("wheel", "rolling_radius", pair.wheelset[2], "mm");
   // Body 1 is the rail in this module, but the wheel (upper body) in rollfem and in module 3.
-  fill_bodies(given.bodies, {"rail", "wheel"}, made);
+  fill_bodies(given, {"rail", "wheel"}, made);
   fill_profile(pair.wheel, "wheel", profile_folder, made);
   fill_track(given, profile_folder, made);
   fill_wheelset(given, made);

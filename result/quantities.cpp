@@ -210,7 +210,8 @@ std::vector<Quantity> of_the_solution() {
 std::vector<Quantity> of_the_heat() {
   return {
       {"max_temperature", "largest temperature", "T", "degC",
-       "largest temperature of the surfaces, with `[wheel_heat]` or `[rail_heat]`", Scale::value,
+       "largest temperature in contact, of both surfaces, with `[wheel_heat]` or `[rail_heat]`",
+       Scale::value,
        Use::stored, at<&P::max_temperature>()},
       {"max_temperature_x", "x of the largest temperature", "", "mm",
        "x of the element that has it", Scale::none, Use::stored, at<&P::max_temperature_x>(),

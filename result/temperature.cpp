@@ -67,8 +67,11 @@ void set_temperatures(const ContactGrid& grid, const SurfaceHeat& heat, PointRes
   point.heat_wheel = wheel_flow * per_length;
   point.heat_rail = rail_flow * per_length;
   Eigen::Index hottest = 0;
-  point.max_temperature =
-      fields.temperature_wheel.cwiseMax(fields.temperature_rail).maxCoeff(&hottest);
+  const double highest = (fields.traction.n.array() > 0.0)
+                             .select(fields.temperature_rail.array(), -HUGE_VAL)
+                             .maxCoeff(&hottest);
+  if (std::isinf(highest)) return;
+  point.max_temperature = highest;
   const auto k = static_cast<int>(hottest);
   point.max_temperature_x = grid.x(k % grid.nx);
   point.max_temperature_y = grid.y(k / grid.nx);

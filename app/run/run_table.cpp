@@ -168,6 +168,13 @@ std::string scene_table(const std::vector<ModelResult>& models) {
                           return barred(five_digits(point.traction_coefficient), point,
                                         "traction_coefficient", 1.0);
                         });
+  if (points.front().max_temperature)
+    text += curve_table(
+        with_friction, "largest temperature of the surfaces in degC", [](const PointResult& point) {
+          return point.max_temperature ? barred(fmt::format("{:.1f}", *point.max_temperature),
+                                                point, "max_temperature", 1.0)
+                                       : std::string("-");
+        });
   if ((any_motion(points, "lateral_creepage") || any_motion(points, "spin")) &&
       given.count("lateral_force") == 0)
     text += curve_table(with_friction, "lateral coefficient -F_y/F_z (forces on the wheel)",

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import FileError
 from ..result import count, place_label
-from . import curves, load_points, maps, positions, stresses, styles, tables, yielding
+from . import curves, heat, load_points, maps, positions, stresses, styles, tables, yielding
 from .page import case_file, hint, made_by, section
 
 CONVENTIONS = section("Signs", """<p>x is the rolling direction, and material enters the patch at large x (on the right of
@@ -39,6 +39,9 @@ OF_PATCH = (
      "Thin: the same strip in full sliding.", curves.strip_forces),
     ("pass_work", "Frictional work per pass and area across the patch: what a strip of wheel or rail receives while the contact "
      "passes over it once (N mm per mm²); its integral over y is the frictional work per mm rolled.", curves.pass_work),
+    ("temperature_along", "Temperature of the surfaces along rolling, through the hottest place: both rise together in contact and "
+     "cool by conduction behind it.", heat.along),
+    ("temperature_map", "Temperature of the rail's surface at the hottest load point; white: edge of the patch.", heat.surface),
     ("outlines", "Contact patches of all models overlaid, with the border between adhesion and slip area of each; shaded: the "
      "areas of the reference model. Material enters on the right.", maps.outlines),
     ("contact_area", "Adhesion and slip areas, model by model.", maps.contact_area))
@@ -245,6 +248,7 @@ def _patch(scene, images, heading):
         _numbers(scene), images("outlines", "contact_area"), _forces(scene, images("creep_")),
         section("Tractions in the patch", images("path", "strip_force", "oblique")),
         section("Work of friction", images("pass_work")),
+        section("Heat of friction", images("temperature")),
         section("Steel that yields", yielding.passes_table(scene), images("yielded_")),
         section("Stress in the bodies", largest, hint("Over all load points. ±: the model's own error estimate. Places x, "
                                                       "y, z; z points into the wheel.") * bool(largest), images("stress_"))])
