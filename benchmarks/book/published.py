@@ -35,6 +35,10 @@ CONTACT_CURVE_E_80 = {0.0: -0.07749473, 0.002: 0.32823775}
 CONTACT_FASTSIM_A = {0.0005: (0.11435703, 104.12065), 0.001: (0.21098024, 194.06035),
                      0.002: (0.35763296, 329.48376), 0.003: (0.45278539, 406.27024),
                      0.004: (0.50871749, 424.54292), 0.006: (0.54765097, 424.54292)}
+# The largest temperatures that CONTACT prints for the ellipse of Ertz and Knothe, degC, and with friction that is this at 400 degC
+# -F_x/(mu F_z) and the largest temperature in full sliding.
+CONTACT_TEMPERATURES = {"sliding": 166.8, "hot wheel, sliding": 241.8, "hot wheel, partial slip": 90.85}
+CONTACT_HEATED = {0.12: (0.8660, 137.5), 0.48: (1.178, 208.9)}
 # Benchmark 9, CONTACT with first-order difference: elements across: (F_x, F_y N, M_z N mm).
 CONTACT_BENCHMARK_9 = {20: (10510, -7275, -1896), 40: (10400, -7201, -1592), 80: (10320, -7126, -1364),
                        120: (10290, -7103, -1289)}

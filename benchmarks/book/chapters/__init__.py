@@ -7,6 +7,7 @@ from .curvature import curvature_slip
 from .falling import falling_friction
 from .fem import calculix, fem_hertz
 from .friction import cattaneo, creep_frequency, spence
+from .heat import heat
 from .hybrid import hybrid
 from .measured import measured
 from .normal import grid_order, hertz, steuermann
@@ -21,4 +22,4 @@ from .yielding import yielding_layer
 ALL = [hertz, grid_order, steuermann, cattaneo, spence, carter, bentall_johnson, nowell_hills, kalker, benchmark_9,
        fastsim, transient, creep_frequency, stress_circle, stress_case_a, elements, persson, fem_hertz, incompressible,
        inertia, thesis_cases, half_space_limits, calculix, hybrid, curvature_slip, conformal_contact, wheel_on_rail,
-       manchester, measured, falling_friction, yielding_layer]
+       manchester, measured, falling_friction, heat, yielding_layer]

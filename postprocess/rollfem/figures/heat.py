@@ -19,12 +19,17 @@ def _row(model, point):
     return np.unravel_index(inside.argmax(), inside.shape)[0]
 
 
+def _hottest(model):
+    return max((p for p in model.points if "temperature_rail" in p.fields), key=lambda p: p["max_temperature"])
+
+
 def along(result):
     """Temperature of both surfaces along x through the hottest place of each load point, up to three. None without heat."""
     models = _heated(result)
-    chosen = load_points.chosen_keys(models, 3) if models else []
-    if not chosen:
+    if not models:
         return None
+    hottest = _hottest(models[0]).key
+    chosen = [key for key in load_points.chosen_keys(models, 3) if key != hottest][-2:] + [hottest]
     texts, shared = load_points.key_texts(chosen)
     figure = Figure(3)
     apart = False
@@ -41,8 +46,8 @@ def along(result):
                 panel.line(model.x, wheel, **{**styles.line(model), "name": "", "dash": (2, 2)})
                 apart = True
     if apart:
-        figure.entry("rail")
-        figure.entry("wheel", dash=(2, 2))
+        figure.entry("rail", "soft")
+        figure.entry("wheel", "soft", dash=(2, 2))
     figure.entry(shared)
     return figure
 
@@ -53,10 +58,10 @@ def surface(result):
     if not models:
         return None
     model = models[0]
-    point = max((p for p in model.points if "temperature_rail" in p.fields), key=lambda p: p["max_temperature"])
+    point = _hottest(model)
     figure = Figure(2, styles.label(model), in_rows=True)
     right, up = np.meshgrid(model.x, model.y)
-    panel = figure.add(300, 0, f"surface of the rail, {load_points.key_texts([point.key])[0][point.key]}", ALONG["x"], ALONG["y"], equal=True)
+    panel = figure.add(300, 0, f"{DEGREES}, {load_points.key_texts([point.key])[0][point.key]}", ALONG["x"], ALONG["y"], equal=True)
     panel.x.limits, panel.y.limits = (model.x[0], model.x[-1]), (model.y[0], model.y[-1])
     levels, step = filled(panel, right, up, point.fields["temperature_rail"])
     panel.paths(contour_lines(*padded(model, edge_function(point.fields["pressure"]), -1.0), 0.0), "ground", width=1.4)
