@@ -8,6 +8,7 @@ namespace rollfem::contact {
 struct BodyHeat {
   double conductivity = 50.0;  ///< lambda, W/(m K), which is N/(s K)
   double capacity = 450.0;     ///< c, J/(kg K)
+  double expansion = 1.2e-5;   ///< alpha, 1/K
   double temperature = 20.0;   ///< degC, before contact
   double limit = 700.0;        ///< degC, above which results warn
 };

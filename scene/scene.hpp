@@ -79,7 +79,7 @@ struct Scene {
   bool turns_freely = false;  ///< a wheelset's balance has found the rotation, and the creepages
   std::optional<GivenPressure> given_pressure;
   std::optional<SurfaceHeat> heat;  ///< unset: temperatures are not asked for
-  double speed = 0.0;  ///< mm/s
+  double speed = 0.0;               ///< mm/s
   UpwindOrder upwind_order = UpwindOrder::second;
   LeadingEdge leading_edge = LeadingEdge::fitted;
   GridOptions contact_grid;

@@ -13,7 +13,7 @@ HeatedBody heated(const Body& body) {
   const BodyHeat heat = body.heat.value_or(BodyHeat{});
   constexpr double per_tonne = 1e6;                                             // J/kg in N mm/t
   const double volumetric = body.material.density * per_tonne * heat.capacity;  // N/(mm^2 K)
-  return {std::sqrt(heat.conductivity * volumetric), heat.conductivity / volumetric,
+  return {std::sqrt(heat.conductivity * volumetric), heat.conductivity / volumetric, heat.expansion,
           heat.temperature, heat.limit};
 }
 

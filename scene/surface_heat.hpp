@@ -13,6 +13,7 @@ namespace rollfem::contact {
 struct HeatedBody {
   double effusivity = 0.0;   ///< beta = sqrt(lambda rho c), N/(mm K s^0.5)
   double diffusivity = 0.0;  ///< kappa = lambda / (rho c), mm^2/s
+  double expansion = 0.0;    ///< alpha, 1/K
   double temperature = 0.0;  ///< degC, before contact
   double limit = 0.0;        ///< degC, above which results warn
 };

@@ -47,7 +47,8 @@ std::string profile_of(const char* what, const char* name) {
 
 const contact::FallShape& shape_of(rollfem_law law) {
   const std::vector<contact::FallShape>& laws = contact::fall_shapes();
-  if (law >= 0 && static_cast<std::size_t>(law) < laws.size())
+  if (law >= 0 && static_cast<std::size_t>(law) < laws.size() &&
+      !laws[static_cast<std::size_t>(law)].by_temperature)
     return laws[static_cast<std::size_t>(law)];
   throw contact::InputError(fmt::format(
       "friction_law = {}: is not known; allowed: ROLLFEM_CONSTANT, ROLLFEM_LINEAR, "

@@ -232,6 +232,14 @@ void define_stress(py::module_& module) {
     const contact::Geometry geometry(input);
     return geometry.line ? geometry.line->reference : 0.0;
   });
+  // Effusivity, diffusivity, temperature before contact and expansion of a body, and the speed.
+  module.def("heated_body", [](const Case& input, bool wheel) -> py::object {
+    const auto heat = contact::surface_heat(input);
+    if (!heat) return py::none();
+    const contact::HeatedBody& body = wheel ? heat->wheel : heat->rail;
+    return py::make_tuple(body.effusivity, body.diffusivity, body.temperature, body.expansion,
+                          heat->speed);
+  });
   py::class_<Loaded>(module, "Loaded")
       .def(py::init(&loaded))
       .def("below", &below)

@@ -178,6 +178,8 @@ SectionWithKeys heat_section(const std::string& name, Body Case::*body) {
            between(1e-3, 1e4), "Heat conductivity, of steel by default.");
   keys.add("heat_capacity", &BodyHeat::capacity, symbol("c"), unit("J/(kg K)"), between(1.0, 1e5),
            "Heat capacity, of steel by default; the density is " + name + ".density.");
+  keys.add("expansion", &BodyHeat::expansion, symbol("alpha"), unit("1/K"), zero_or(1e-9, 1e-3),
+           "Thermal expansion, of steel by default, for the thermal stress of `rollfem stress`.");
   keys.add("limit", &BodyHeat::limit, unit("degC"), between(-273.0, 1e4),
            "Temperature of the surface above which results warn: where steel transforms.");
   return keys;

@@ -165,11 +165,12 @@ class StressSet:
 
     `columns`: arrays [n] by the names of stress.csv without units: distance (mm, from the first
     place), x, y, z, displacement_x, ... (mm), xx, yy, zz, xy, yz, xz, hydrostatic, von_mises,
-    tresca, orthogonal_shear, principal_1, principal_2, principal_3 (MPa). `shape` is
+    tresca, orthogonal_shear, principal_1, principal_2, principal_3 (MPa), and of heated bodies temperature (degC), whose
+    thermal stress the others then have. `shape` is
     (points across, points along): `columns["von_mises"].reshape(shape)` is the lattice of a plane.
     """
 
-    name: str  # point_1, line_1, plane_1, depth_centre, depth_most_loaded
+    name: str  # point_1, line_1, plane_1, depth_centre, depth_most_loaded, depth_hottest
     kind: str  # point, line, plane, surface
     body: str  # wheel, rail
     shape: tuple[int, int]
@@ -250,7 +251,7 @@ class Stress(Files):
     def contents(self) -> dict[str, str]:  # type: ignore[override]
         """Files by their names."""
         head = "model,point,set,body," + ",".join(
-            f"{name} [{'mm' if k < 7 else 'MPa'}]" for k, name in enumerate(self.models[0].sets[0].columns))
+            f"{name} [{'mm' if k < 7 else 'degC' if name == 'temperature' else 'MPa'}]" for k, name in enumerate(self.models[0].sets[0].columns))
         rows = [f"{model.key},{model.data['point']},{part.name},{part.body},{','.join(map(cell, row))}" for model in self.models
                 for part in model.sets for row in np.stack(list(part.columns.values()), axis=1).tolist()]
         return {"stress.csv": "\n".join([head, *rows, ""]), "stress.json": sealed_json(self.data, 2)}

@@ -122,6 +122,10 @@ void check_wheel(const contact::Case& input) {
         "wheelset.lateral_shift, wheelset.yaw or wheelset.roll: is a list; allowed: one value "
         "with table.lateral_shift; do: give shifts under [table] alone, make a table for each yaw "
         "and roll");
+  if (input.friction_fall.shape.by_temperature)
+    refuse_key(
+        "friction.law = \"temperature\": a table does not hold the heat of friction; allowed: the "
+        "other laws; do: fit one that falls with the slip velocity (docs/heat.md)");
   if (input.rolling.problem != contact::Problem::steady)
     refuse_key("rolling.problem: a table holds steady rolling; allowed: \"steady\"; do: remove it");
 }

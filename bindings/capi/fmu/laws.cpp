@@ -8,10 +8,12 @@
 
 int number_of_law(const char* word, char* message, std::size_t size) {
   std::string words;
-  int number = 0;
+  int number = -1;
   for (const rollfem::contact::FallShape& law : rollfem::contact::fall_shapes()) {
+    ++number;
+    if (law.by_temperature) continue;  // a wheel in a vehicle program has no heat
     if (std::string(word) == law.word) return number;
-    words += (number++ == 0 ? "" : ", ") + std::string(law.word);
+    words += (words.empty() ? "" : ", ") + std::string(law.word);
   }
   std::snprintf(message, size, "friction_law; allowed: %s; do: name one of them", words.c_str());
   return -1;

@@ -11,12 +11,13 @@ import numpy as np
 
 from .. import _core
 from ..errors import InputError
+from ..heat import HeatedBody
 from ..outputs import Stress, StressModel, StressSet, columns_below
 from ..point import Point
 from ..reader import read_result
 from ..result import ModelResult, Result
 from ..shakedown import Ellipse, boundaries, circle_limits, line_limits, surface_fatigue_index, yield_shear_stress
-from ..stresses import stress_measures
+from ..stresses import stress_measures, von_mises
 
 #: Orthogonal shear stress on the surface: the largest tangential traction.
 SURFACE_SHEAR = "orthogonal_shear_surface"
@@ -138,6 +139,13 @@ class Loaded:
     def _material(self, body: str) -> tuple[float, float]:
         return self.result.inputs[f"{body}.young_modulus"], self.result.inputs[f"{body}.poisson_ratio"]
 
+    def heated(self, body: str) -> HeatedBody | None:
+        """The heat below the surface of a body; None without it."""
+        surface = self.point.fields.get(f"temperature_{body}")
+        if surface is None:
+            return None
+        return HeatedBody(_core.heated_body(self._case(), body == "wheel"), self._material(body), self.model, surface)
+
     def has(self, body: str) -> bool:
         """Whether a body has stress: finite elements store elastic bodies alone."""
         return not self.point.bodies or body in self.point.bodies
@@ -156,19 +164,39 @@ class Loaded:
         row, column = np.unravel_index(np.argmax(pressure), pressure.shape)
         most = [float(model.x[column]), float(model.y[row])]
         apart = any(abs(a - b) > 0.51 * size for a, b, size in zip(most, centre, (model.dx, model.dy)))
+        lines = [("depth_centre", centre, deep), ("depth_most_loaded", most, deep)][:1 + apart]
+        if "temperature_rail" in self.point.fields:
+            lines.append(("depth_hottest", self.hottest(), 0.1 * deep))
         return [Request(name, "depth profile", {
-            "kind": "line", "body": body, "from": [*spot, 0.0], "to": [*spot, deep if body == "wheel" else -deep],
+            "kind": "line", "body": body, "from": [*spot, 0.0], "to": [*spot, down if body == "wheel" else -down],
             "across": [0.0] * 3, "depth": 0.0, "points": [_PROFILE_POINTS, 1]}, True)
-            for name, spot in (("depth_centre", centre), ("depth_most_loaded", most))[:1 + apart]
-            for body in ("wheel", "rail") if self.has(body)]
+            for name, spot, down in lines for body in ("wheel", "rail") if self.has(body)]
+
+    def heated_range(self, k: float) -> float | None:
+        """Change of the surface's stress at the hottest place while it passes through the contact, over that which stays elastic with
+        any residual stress, 2 sqrt(3) k (Melan's theorem for two instants); of the body with the larger. None without heat."""
+        if "temperature_rail" not in self.point.fields or self.source != "tractions":
+            return None
+        place = np.array([[*self.hottest(), 0.0]])
+        found = []
+        for body in ("wheel", "rail"):
+            stress, heat = self._tractions().below(body == "wheel", *self._material(body), place)[1], self.heated(body)
+            assert heat
+            found.append(von_mises(stress + heat.stress(heat.rise(place)))[0] / (2 * math.sqrt(3) * k))
+        return float(max(found))
+
+    def hottest(self) -> list[float]:
+        """x and y of the largest temperature, mm."""
+        return [float(self.point[f"max_temperature_{axis}"]) for axis in "xy"]
 
     def stresses(self, requests: Sequence[Request]) -> tuple[list[StressSet], list[Maximum]]:
         """Displacement and stress at the requests, and the largest stresses of both bodies."""
         if self.source == "corrected":
             found, maxima = self._tractions().corrected(
                 self._case(), self.model.place, *self.semi_axes, [(each.places, each.depth_profile) for each in requests])
-            return [self._set(each, *parts) for each, parts in zip(requests, found)], maxima
+            return [self._warmed(each, self._set(each, *parts)) for each, parts in zip(requests, found)], maxima
         sets = (self._in_bodies if self.source == "bodies" else self._in_half_spaces)(requests)
+        sets = [self._warmed(each, part) for each, part in zip(requests, sets)]
         maxima = self.point.stress_maxima or (
             self._largest_at_nodes() if self.source == "bodies"
             else self._tractions().maxima([self._material(body) for body in ("wheel", "rail")], *self.semi_axes))
@@ -191,6 +219,22 @@ class Loaded:
     def _set(request: Request, places: np.ndarray, displacement: np.ndarray, stress: np.ndarray, moved: float = 0.0) -> StressSet:
         return StressSet(request.name, request.places["kind"], request.body, (request.places["points"][1], request.places["points"][0]),
                          columns_below(places, displacement, stress), largest_in(request.body, places, stress), float(moved))
+
+    def _warmed(self, request: Request, part: StressSet) -> StressSet:
+        """With the thermal stress, where the load point has temperatures."""
+        heat = self.heated(part.body)
+        if heat is None:
+            return part
+        below = part.places
+        if request.depth_profile:
+            below[:, 2] -= below[0, 2]
+        elif part.kind == "surface":
+            below[:, 2] = request.places["depth"]
+        rise = heat.rise(below)
+        displacement = np.stack([part[f"displacement_{axis}"] for axis in "xyz"], axis=1)
+        warm = self._set(request, part.places, displacement, part.stress + heat.stress(rise), part.moved)
+        warm.columns["temperature"] = heat.before + rise
+        return warm
 
     def _in_half_spaces(self, requests: Sequence[Request]) -> list[StressSet]:
         """From integrals over the tractions. A half-space has no material beyond z = 0."""
@@ -340,11 +384,11 @@ def _ellipse(at: Loaded) -> Ellipse:
     return Ellipse(math.inf if at.line_reference else b / a if a > 0 else 1.0)
 
 
-def _in_map(model: ModelResult, ellipse: Ellipse, k: float, known: Mapping[int, Sequence[Maximum]]) -> list[dict[str, Any]]:
+def _in_map(at: Loaded, ellipse: Ellipse, k: float, known: Mapping[int, Sequence[Maximum]]) -> list[dict[str, Any]]:
     """All load points of a model in the shakedown map; `known`: the largest stresses that were computed. First yield follows
     from the largest stress if known or stored, otherwise from the lower elastic limit of line and circle; shakedown from the
     limit of the ellipse."""
-    found = []
+    found, model = [], at.model
     for number, point in enumerate(model.points):
         traction, (factor, shear, creepage) = point.tangential_coefficient, (
             float(point.scalars.get(name, math.nan)) for name in ("max_pressure", "max_traction", "longitudinal_creepage"))
@@ -353,6 +397,7 @@ def _in_map(model: ModelResult, ellipse: Ellipse, k: float, known: Mapping[int, 
         maxima = known.get(number, point.stress_maxima)
         ratio = _yield_ratio(maxima, k) if maxima else None
         elastic = factor <= min(line.elastic, circle.elastic) if ratio is None else ratio < 1
+        heated = Loaded(at.result, model, number, at.source).heated_range(k)
         found.append({
             "point": number + 1, "longitudinal_creepage": creepage, "tangential_coefficient": traction,
             "load_factor": factor, "max_traction_over_k": shear / k,
@@ -360,9 +405,9 @@ def _in_map(model: ModelResult, ellipse: Ellipse, k: float, known: Mapping[int, 
             **{name: {"elastic": limits.elastic, "shakedown": limits.shakedown, "region": limits.region(factor)}
                for name, limits in (("line", line), ("circle", circle))},
             "ellipse": {"ratio": None if ellipse.is_line else ellipse.ratio, "shakedown": limit},
-            "verdict": "beyond shakedown" if factor > limit else "elastic" if elastic else "elastic shakedown",
+            "verdict": "beyond shakedown" if factor > limit or (heated or 0) > 1 else "elastic" if elastic else "elastic shakedown",
             "margin": f"p0 is {100 * abs(factor / limit - 1):.2g} % {'above' if factor > limit else 'below'} the limit",
-            **({} if ratio is None else {"yield_ratio": ratio})})
+            **({} if ratio is None else {"yield_ratio": ratio}), **({} if heated is None else {"heated_range": heated})})
     return found
 
 
@@ -408,7 +453,7 @@ def stress_of(result: Result, wanted: Wanted, file: str) -> tuple[Stress, list[s
             known.setdefault(at.model.key, {})[at.number] = maxima
         for at, each, maxima in made:
             each.data["yield_ratio"] = _yield_ratio(maxima, k)
-            each.data["shakedown"] = _in_map(at.model, _ellipse(at), k, known[at.model.key])
+            each.data["shakedown"] = _in_map(at, _ellipse(at), k, known[at.model.key])
         data["shakedown_map"] = boundaries(_ellipse(made[0][0]))
     text = _text(data, made, bool(wanted.points or wanted.creepages))
     return Stress(data, [each for _, each, _ in made], text), [f"left out: {why}" for why in left_out]
@@ -449,6 +494,10 @@ def _text(data: Mapping[str, Any], made: Sequence[tuple[Loaded, StressModel, lis
     return text
 
 
+def _heated_text(each: Mapping[str, Any]) -> str:
+    return f"; with heat the surface goes through {each['heated_range']:.2g} of what stays elastic" if "heated_range" in each else ""
+
+
 def _map_text(k: float, points: Sequence[Mapping[str, Any]], asked: set[int]) -> str:
     """The shakedown table of all load points of a model."""
     ratio = points[0]["ellipse"]["ratio"]
@@ -460,7 +509,7 @@ def _map_text(k: float, points: Sequence[Mapping[str, Any]], asked: set[int]) ->
         known = f"{each['yield_ratio']:.3f}" if "yield_ratio" in each else "-"
         text += (f"  {each['point']:<6}{each['longitudinal_creepage']:>11g}{each['tangential_coefficient']:>8.4f}"
                  f"{each['load_factor']:>8.3f}{each['ellipse']['shakedown']:>10.2f}{each['surface_fatigue_index']:>9.3f}{known:>8}  "
-                 f"{each['verdict']}; {each['margin']}{'  <' * (each['point'] in asked)}\n")
+                 f"{each['verdict']}; {each['margin']}{_heated_text(each)}{'  <' * (each['point'] in asked)}\n")
     return text + ("  elastic: the largest von Mises stress is below sqrt(3) k (Y-ratio; if unknown, p0 below the limits of line and "
                    "circle); shakedown: under full slip, at the same T/F_z\n")
 

@@ -30,7 +30,9 @@ PointResult heated(const SurfaceHeat& heat, int across, const std::function<doub
 
 SurfaceHeat heat_of(double wheel, double rail, double wheel_temperature = 0.0,
                     double rail_temperature = 0.0) {
-  return {{wheel, 14.0, wheel_temperature, 700.0}, {rail, 14.0, rail_temperature, 700.0}, speed};
+  return {{wheel, 14.0, 1.2e-5, wheel_temperature, 700.0},
+          {rail, 14.0, 1.2e-5, rail_temperature, 700.0},
+          speed};
 }
 
 double uniform(double) {
