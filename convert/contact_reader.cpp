@@ -124,8 +124,7 @@ void read_material(InputLines& lines, ContactCase& next) {
 /// Also without new materials.
 void read_heat(InputLines& lines, ContactCase& next) {
   if (next.digits.H != 3) return;
-  for (auto& heat : next.bodies.heat)
-    lines.read(heat, {"BKTEMP", "HEATCP", "LAMBDA", "DENSITY"});
+  for (auto& heat : next.bodies.heat) lines.read(heat, {"BKTEMP", "HEATCP", "LAMBDA", "DENSITY"});
   if (next.digits.M == 4) lines.numbers({"BETAPL"});
 }
 
