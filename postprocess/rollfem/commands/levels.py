@@ -165,6 +165,7 @@ def _solved(level: Level, result: _core.Result, seconds: float, axes: tuple[str,
     level.unknowns, level.contact_elements, level.seconds = model.unknowns, model.contact_elements, seconds
     level.values = {key: point.scalars[name] for key, point, name in numbers}
     level.bars = {key: point.error_estimate[name] for key, point, name in numbers if name in point.error_estimate}
+    level.no_bars = {key: point.no_bar[name] for key, point, name in numbers if name in point.no_bar}
     level.noise = max((point["residual"] for point in model), default=0.0)
 
 

@@ -165,6 +165,7 @@ class Level:
     seconds: float = 0.0  #: wall time, error estimates included
     values: Values = field(default_factory=dict)
     bars: Values = field(default_factory=dict)  #: the model's own error bars, absolute
+    no_bars: dict[str, str] = field(default_factory=dict)  #: why a value has none
     noise: float = 0.0  #: relative tolerance reached by its solver
 
 
@@ -366,7 +367,9 @@ def _name_of(place: Place, key: str) -> str:
         return QUANTITIES[name].title
     if not is_coefficient(key):
         return f"{QUANTITIES[name].title} {'found at' if name.endswith('creepage') else 'of'} load point {point}"
-    return f"traction coefficient at xi = {100 * place.creepages[int(point) - 1][0]:.4g} %"
+    creepage = place.creepages[int(point) - 1]
+    again = f", load point {point}" if place.creepages.count(creepage) > 1 else ""
+    return f"traction coefficient at xi = {100 * creepage[0]:.4g} %{again}"
 
 
 def _limit_line(limit: Limit | None) -> str:
@@ -384,18 +387,19 @@ def _limit_line(limit: Limit | None) -> str:
 
 
 def _key_table(record: Record, place: Place, series: Series, key: str, reference: Reference) -> str:
-    unit = "" if ":" in key else f" {QUANTITIES[key].unit}"
+    unit = QUANTITIES[key.partition(":")[0]].unit
+    unit = f" {unit}" if unit != "-" else ""
     # Labels of quantities refined together are long.
     width = max(len(text) for text in (series.parameter, *(level.label for level in series.levels)))
     lines = [f"  {_name_of(place, key)}, reference {reference.value:.7g}{unit} ({reference.kind})",
-             f"    {series.parameter:<{width}}{'unknowns':>10}{'seconds':>10}{'value':>14}{'bar':>12}{'error':>16}{'order':>8}"]
+             f"    {series.parameter:<{width}}{'unknowns':>10}{'seconds':>10}{'value':>14}{'bar':>14}{'error':>16}{'order':>8}"]
     levels = [level for level in series.levels if key in level.values]
     for level, order in zip(levels, record.orders(series, key, reference)):
         own = level is levels[-1] and reference.kind == "finest"
         value, bar = level.values[key], level.bars.get(key)
         error = "reference" if own else percent(key, record.error(key, value, reference))
         lines.append(f"    {level.label:<{width}}{level.unknowns:>10}{level.seconds:>10.3g}{value:>14.7g}"
-                     f"{'' if bar is None else f'+- {bar:.2g}':>12}{error:>16}{'' if order is None else f'{order:.2f}':>8}")
+                     f"{level.no_bars.get(key, '') if bar is None else f'+- {bar:.2g}':>14}{error:>16}{'' if order is None else f'{order:.2f}':>8}")
     return "\n".join(lines) + "\n" + _limit_line(series.limit(key))
 
 

@@ -34,7 +34,8 @@ def _title(place, key):
     if not _is_coefficient(key):
         quantity = _quantity(place, key)
         return quantity.title + (f" {math(quantity.symbol)}" if quantity.symbol else "") + _at_point(key)
-    return rf"traction coefficient, $\xi$ = {_xi(place, key):.4g} %"
+    repeated = sum(_xi(place, f":{n}") == _xi(place, key) for n in range(1, len(place["points"]) + 1)) > 1
+    return rf"traction coefficient, $\xi$ = {_xi(place, key):.4g} %" + (_at_point(key) if repeated else "")
 
 
 def _keys(place):
