@@ -35,10 +35,10 @@ struct FallShape {
   Left (*left)(std::size_t i, double s_over_half, const Constants& own) = nullptr;
   /// The law may be given by Polach's A and B, with f_i = exp(-B s).
   bool polach = false;
+  std::array<Constant, most_constants> constants{};
   /// mu follows the temperature of the surfaces instead of the slip: linear from
   /// friction.coefficient at the first constant (degC) to the third at the second; no f_i.
   bool by_temperature = false;
-  std::array<Constant, most_constants> constants{};
 
   static const FallShape none;         ///< Coulomb's law
   static const FallShape linear;       ///< max(0, 1 - s/(2 s_hi))

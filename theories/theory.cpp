@@ -6,7 +6,7 @@
 #include "result/bars.hpp"
 #include "result/derived.hpp"
 #include "result/quantities.hpp"
-#include "result/temperature.hpp"
+#include "result/heat/temperature.hpp"
 #include "theories/equivalent_ellipse.hpp"
 
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "result/derived.hpp"
 #include "result/free_ends.hpp"
 #include "result/quantities.hpp"
-#include "result/temperature.hpp"
+#include "result/heat/temperature.hpp"
 #include "result/validity.hpp"
 
 #include <fmt/format.h>

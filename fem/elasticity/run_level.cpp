@@ -23,7 +23,7 @@
 #include "halfspace/patch/coverage.hpp"
 #include "result/derived.hpp"
 #include "result/record.hpp"
-#include "result/temperature.hpp"
+#include "result/heat/temperature.hpp"
 #include "scene/geometry.hpp"
 
 #include <deal.II/base/mpi.h>

@@ -351,12 +351,18 @@ void Bars::set_works() const {
   const double adhering = part_in_adhesion();
   const double found = std::hypot(fine_.longitudinal_force * change("longitudinal_creepage"),
                                   fine_.lateral_force * change("lateral_creepage"));
-  for (const char* name : {"frictional_work", "creepage_work", "heat_wheel", "heat_rail"})
-    if (known(name))
-      set(name, of_creepage_work,
-          root_of_squares({of_balance * adhering * imbalance(),
-                           over_grid(size * std::sqrt(adhering) * value(fine_, name)),
-                           of_found * found}));
+  // Bodies of unlike temperature exchange heat along every row, which begins and ends in an
+  // element.
+  const double exchanged = 0.75 * std::abs(value(fine_, "heat_wheel") - value(fine_, "heat_rail"));
+  const auto set_work = [&](const char* name, double more) {
+    set(name, of_creepage_work,
+        root_of_squares({of_balance * adhering * imbalance(),
+                         over_grid(size * std::sqrt(adhering) * value(fine_, name) + more),
+                         of_found * found}));
+  };
+  for (const char* name : {"frictional_work", "creepage_work"}) set_work(name, 0.0);
+  for (const char* name : {"heat_wheel", "heat_rail"})
+    if (known(name)) set_work(name, exchanged);
 }
 
 void Bars::set_creepages() const {

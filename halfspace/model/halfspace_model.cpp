@@ -18,9 +18,9 @@
 #include "halfspace/stress/subsurface.hpp"
 #include "result/derived.hpp"
 #include "result/free_ends.hpp"
+#include "result/heat/temperature.hpp"
 #include "result/quantities.hpp"
 #include "result/refinement.hpp"
-#include "result/temperature.hpp"
 #include "result/validity.hpp"
 #include "scene/geometry.hpp"
 
@@ -166,7 +166,14 @@ std::string discretisation_words(const Scene& scene) {
                      spin);
 }
 
+void add_seconds(const contact::LevelResult& level, ModelResult& result) {
+  result.seconds["setup"] += level.setup_seconds;
+  result.seconds["normal"] += level.normal_seconds;
+  result.seconds["tangential"] += level.tangential_seconds;
+}
+
 void add_notes(const Scene& scene, ModelResult& result) {
+  if (scene.heat) contact::warn_of_temperature(*scene.heat, result);
   contact::add_note(result.notes, "grid",
                     "elastic half-spaces; contact elements of {:.4g} by {:.4g} mm {}",
                     result.grid.dx, result.grid.dy, discretisation_words(scene));
@@ -468,9 +475,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
     if (scene.past)
       scene.past->left->push_back(levels.fine ? left_by(*levels.fine) : contact::PastPatch());
     if (!levels.fine) continue;
-    result.seconds["setup"] += levels.fine->setup_seconds;
-    result.seconds["normal"] += levels.fine->normal_seconds;
-    result.seconds["tangential"] += levels.fine->tangential_seconds;
+    add_seconds(*levels.fine, result);
     if (!last) continue;
     if (!levels.coarse && !scene.accuracy.relative) {
       result.notes.push_back(
@@ -495,7 +500,6 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   contact::warn_of_steep_friction(fine, scene.friction(), result.notes);
   result.points = std::move(fine.points);
   contact::place_pass_work(halfspace_geometry(scene), scene.place, result);
-  if (scene.heat) contact::warn_of_temperature(*scene.heat, result);
   add_notes(scene, result);
   if (!warning.empty()) result.notes.push_back({"waves", std::move(warning)});
   result.seconds["total"] = watch.seconds();

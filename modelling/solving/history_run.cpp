@@ -469,7 +469,7 @@ double find_rotation(const Run& run, const std::vector<WheelHistory*>& wheels, s
 std::vector<ModelResult> solve_history(const Case& input, const track::PlacedWheels& placed,
                                        const std::string& model, const Scenes& scenes,
                                        const Solving& how) {
-  if (model != "halfspace")
+  if (how.models->find(model)->choosable != contact::Choosable::half_spaces)
     throw contact::InputError(
         {input.file},
         "model {}: the positions of this wheel are the steps of a history, in which the contact "

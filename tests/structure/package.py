@@ -5,9 +5,9 @@ for which it would wait: everything up to `figures`. Imports within functions, o
 import ast
 
 # Each module may import those before it.
-ORDER = ("errors", "files", "frames", "stresses", "shakedown", "node", "point", "plot", "result", "outputs", "reader", "tables",
+ORDER = ("errors", "files", "frames", "stresses", "shakedown", "heat", "node", "point", "plot", "result", "outputs", "reader", "tables",
          "figures", "_core", "commands", "case", "solving", "sweeping", "track", "wear", "api", "__main__")
-FIGURES = ("labels", "styles", "figure", "published", "page", "load_points", "maps", "tables", "stresses", "curves", "profiles",
+FIGURES = ("labels", "styles", "figure", "published", "page", "load_points", "maps", "tables", "stresses", "curves", "temperatures", "profiles",
            "yielding", "positions", "report", "table", "study", "compare")
 COMMANDS = ("refinement", "levels", "comparing", "benching", "subsurface", "line")
 

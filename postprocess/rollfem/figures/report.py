@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import FileError
 from ..result import count, place_label
-from . import curves, heat, load_points, maps, positions, stresses, styles, tables, yielding
+from . import curves, load_points, maps, positions, stresses, styles, tables, temperatures, yielding
 from .page import case_file, hint, made_by, section
 
 CONVENTIONS = section("Signs", """<p>x is the rolling direction, and material enters the patch at large x (on the right of
@@ -40,8 +40,8 @@ OF_PATCH = (
     ("pass_work", "Frictional work per pass and area across the patch: what a strip of wheel or rail receives while the contact "
      "passes over it once (N mm per mm²); its integral over y is the frictional work per mm rolled.", curves.pass_work),
     ("temperature_along", "Temperature of the surfaces along rolling, through the hottest place: both rise together in contact and "
-     "cool by conduction behind it.", heat.along),
-    ("temperature_map", "Temperature of the rail's surface at the hottest load point; white: edge of the patch.", heat.surface),
+     "cool by conduction behind it.", temperatures.along),
+    ("temperature_map", "Temperature of the rail's surface at the hottest load point; white: edge of the patch.", temperatures.surface),
     ("outlines", "Contact patches of all models overlaid, with the border between adhesion and slip area of each; shaded: the "
      "areas of the reference model. Material enters on the right.", maps.outlines),
     ("contact_area", "Adhesion and slip areas, model by model.", maps.contact_area))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "result/temperature.hpp"
+#include "result/heat/temperature.hpp"
 
 #include "result/note.hpp"
 

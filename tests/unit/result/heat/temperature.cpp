@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Flash temperatures against closed forms: Jaeger 1942; Carslaw and Jaeger 1959, 2.9 and 2.15.
-#include "result/temperature.hpp"
+#include "result/heat/temperature.hpp"
 
 #include "base/pi.hpp"
 

@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Heat below the surface against integrals of its own, and through the package.
+Call: heat.py SOURCE_FOLDER PROGRAM; rollfem is found by PYTHONPATH."""
+import types
+import unittest
+
+import numpy as np
+
+import rollfem
+from rollfem.heat import HeatedBody
+
+CASE = rollfem.Case(load={"normal_force": 100e3}, friction={"coefficient": 0.3}, wheel={"rolling_radius": 460.0, "transverse_radius": np.inf},
+                    rail={"transverse_radius": 300.0}, rolling={"longitudinal_creepage": 0.02, "speed": 30e3},
+                    rail_heat={"temperature": 20.0}, contact_grid={"elements_across": 24})
+EFFUSIVITY, DIFFUSIVITY, SPEED = 13.29, 14.0, 30e3
+
+
+class Below(unittest.TestCase):
+    def test_heat_that_has_gone_in_is_the_integral_of_its_flow(self):
+        # f(t') exp(-z^2/(4 kappa (t - t'))) / (beta sqrt(pi (t - t'))) over the time since contact, for a flow that falls along x.
+        count, dx = 400, 0.025
+        grid = types.SimpleNamespace(x=-5 + dx * (np.arange(count) + 0.5), y=np.zeros(1), dx=dx, dy=1.0)
+        flow = 1e5 * (1 + grid.x / 10)
+        edges = np.sqrt(np.concatenate([[0.0], np.arange(count) + 0.5]) * dx / SPEED)
+        weights = 2 * np.diff(edges) / np.sqrt(np.pi) / EFFUSIVITY
+        surface = np.array([[weights[:count - i] @ flow[i:] for i in range(count)]])
+        body = HeatedBody((EFFUSIVITY, DIFFUSIVITY, 0.0, 1.2e-5, SPEED), (210e3, 0.3), grid, surface)
+        i = 60
+        for depth in (0.0, 0.005, 0.02, 0.1, 0.4):
+            # s = sqrt(t - t') takes the root away.
+            s = np.sqrt((5 - grid.x[i]) / SPEED) * (np.arange(200000) + 0.5) / 200000
+            there = 1e5 * (1 + (grid.x[i] + SPEED * s**2) / 10)
+            exact = np.sum(there * np.exp(-depth**2 / (4 * DIFFUSIVITY * s**2))) * 2 * (s[1] - s[0]) / np.sqrt(np.pi) / EFFUSIVITY
+            found = body.rise(np.array([[grid.x[i], 0.0, -depth]]))[0]
+            self.assertAlmostEqual(found / exact, 1.0, delta=1e-4 if exact > 1 else 1e-2)
+        # Beyond the grid nothing is known, and between elements it is linear.
+        self.assertEqual(body.rise(np.array([[7.0, 0.0, 0.0]]))[0], 0.0)
+        both = body.rise(np.array([[grid.x[i] + share * dx, 0.0, -0.01] for share in (0.0, 0.5, 1.0)]))
+        self.assertAlmostEqual(both[1], 0.5 * (both[0] + both[2]), places=6)
+        stress = body.stress(np.array([100.0]))[0]
+        self.assertAlmostEqual(stress[0], -210e3 * 1.2e-5 * 100 / 0.7)
+        self.assertEqual(stress[0], stress[1])
+        self.assertFalse(stress[2:].any())
+
+    def test_stresses_have_the_thermal_part(self):
+        hot = rollfem.solve(CASE, model="halfspace")
+        cold = rollfem.solve(CASE, model="halfspace", rail_heat={"temperature": 20.0, "expansion": 0.0}, wheel_heat={"expansion": 0.0})
+        point = hot.models[0].points[0]
+        made = [rollfem.stress(result, yield_shear_stress=300.0) for result in (hot, cold)]
+        for body in ("wheel", "rail"):
+            warm, plain = (each.models[0].set("depth_hottest", body) for each in made)
+            self.assertAlmostEqual(warm["temperature"][0], point["max_temperature"], places=6)
+            thermal = -210e3 * 1.2e-5 / 0.7 * (warm["temperature"] - 20)
+            np.testing.assert_allclose(warm["xx"] - plain["xx"], thermal, rtol=1e-9, atol=1e-9)
+            np.testing.assert_allclose(warm["zz"], plain["zz"], rtol=1e-12)
+            self.assertLess(warm["temperature"][-1] - 20, 1e-3 * (warm["temperature"][0] - 20))
+        ranges = [each.data["models"][0]["shakedown"][0]["heated_range"] for each in made]
+        self.assertGreater(abs(ranges[0] - ranges[1]), 0.0)
+
+    def test_mirror_images_and_models_agree(self):
+        more = {"lateral_creepage": 0.004, "spin": 2e-4, "longitudinal_creepage": 0.01, "speed": 30e3}
+        one = rollfem.solve(CASE, model="halfspace", rolling=more).models[0].points[0]
+        other = rollfem.solve(CASE, model="halfspace", rolling={**more, "lateral_creepage": -0.004, "spin": -2e-4}).models[0].points[0]
+        self.assertAlmostEqual(one["max_temperature"], other["max_temperature"], places=4)
+        self.assertAlmostEqual(one["max_temperature_y"], -other["max_temperature_y"], places=9)
+        strip = rollfem.solve(CASE, model="strip", rolling=more).models[0].points[0]
+        self.assertAlmostEqual((strip["max_temperature"] - 20) / (one["max_temperature"] - 20), 1.0, delta=0.25)
+        self.assertEqual(strip.no_bar["max_temperature"], "one grid")
+        for point in (one, other, strip):
+            self.assertAlmostEqual(point["heat_wheel"] + point["heat_rail"], point["frictional_work"], delta=2e-5 * point["frictional_work"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["heat"])
