@@ -21,6 +21,10 @@ class Anderson {
   /// Next iterate from the iterate d and its image F(d).
   Eigen::VectorXd next(const Eigen::VectorXd& iterate, const Eigen::VectorXd& image);
 
+  /// The map has changed a little: old steps still hold, but none leads from the last iterate to
+  /// the next one.
+  void interrupt() { last_residual_.resize(0); }
+
   /// Forgets the history: after a change of the problem or when the residual has grown.
   void restart();
 

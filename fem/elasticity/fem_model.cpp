@@ -203,8 +203,11 @@ ModelResult run_fem(const Scene& scene, const contact::Progress& progress,
   std::vector<contact::Note> notes;
   for (int times = 0;; ++times) try {
       contact::CheckpointPart part(checkpoint, std::string(static_cast<std::size_t>(times), 'x'));
-      ModelResult result = run_with_streamlines(grown, progress, &part);
+      Scene fitting = grown;
+      const auto thicker_rows = fit_surface_rows(fitting, default_cell_size(fitting));
+      ModelResult result = run_with_streamlines(fitting, progress, &part);
       result.notes.insert(result.notes.end(), notes.begin(), notes.end());
+      if (thicker_rows) result.notes.push_back(*thicker_rows);
       return result;
     } catch (const YieldsBeyondStreamlines& beyond) {
       if (times == most_times)

@@ -199,6 +199,10 @@ void CholeskyFactor::solve(std::vector<double>& b, std::size_t right_sides) cons
   std::copy_n(static_cast<const double*>(own->solution->x), b.size(), b.begin());
 }
 
+PartialFactor CholeskyFactor::part(const std::vector<bool>& of_unknowns) const {
+  return {*cholmod_->factor, of_unknowns};
+}
+
 double CholeskyFactor::memory_bytes() const {
   return static_cast<double>(cholmod_->common.memory_inuse);
 }

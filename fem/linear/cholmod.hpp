@@ -2,6 +2,8 @@
 // Sparse Cholesky factors by CHOLMOD: supernodal, ordered by nested dissection of the nodes.
 #pragma once
 
+#include "fem/linear/partial_factor.hpp"
+
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -34,6 +36,8 @@ class CholeskyFactor {
   /// b <- K^-1 b; solves several consecutive right-hand sides at once. Calls may run beside each
   /// other.
   void solve(std::vector<double>& b, std::size_t right_sides = 1) const;
+  /// Of a factor by the first constructor.
+  PartialFactor part(const std::vector<bool>& of_unknowns) const;
   double memory_bytes() const;
   double operations() const;  ///< floating-point operations of the factorisation
 

@@ -48,6 +48,24 @@ class Part {
     factor_->solve(right, count);
     return right;
   }
+  /// The part of the factor for these unknowns of the body.
+  PartialFactor part(const std::vector<dealii::types::global_dof_index>& of_unknowns) const {
+    std::vector<bool> wanted(unknowns_.count, false);
+    for (const auto i : of_unknowns)
+      for (auto k = unknowns_.row_start[i]; k < unknowns_.row_start[i + 1]; ++k)
+        wanted[unknowns_.column[k]] = true;
+    return factor_->part(wanted);
+  }
+  /// The first of solutions() by part of the factor.
+  std::vector<double> solution(double weight, const Vector& b, const PartialFactor& part) const {
+    std::vector<double> x;
+    unknowns_.condense(b, x);
+    Eigen::Map<Eigen::VectorXd> all(x.data(), unknowns_.count);
+    Eigen::VectorXf single = (weight * all).cast<float>();
+    part.solve(single);
+    all = single.cast<double>();
+    return x;
+  }
   /// u += C x.
   void add(const std::vector<double>& x, std::size_t count, Vector* u) const {
     for (std::size_t k = 0; k < count; ++k)
@@ -85,6 +103,46 @@ class Part {
   std::unique_ptr<CholeskyFactor> factor_;
 };
 
+using Parts = std::vector<std::unique_ptr<Part>>;
+
+/// u = sum over the parts of C solution(part, weight).
+template <class Solution>
+void solve_parts(const Parts& parts, Vector* u, std::size_t count, const Solution& solution) {
+  std::for_each(u, u + count, [](Vector& of_one) { of_one = 0.0; });
+  const double weight = 1.0 / static_cast<double>(parts.size());
+  std::vector<std::vector<double>> x(parts.size());
+  contact::for_each_index(parts.size(), [&](std::size_t k) { x[k] = solution(k, weight); });
+  for (std::size_t k = 0; k < parts.size(); ++k) parts[k]->add(x[k], count, u);
+  std::for_each(u, u + count, [](const Vector& of_one) { of_one.update_ghost_values(); });
+}
+
+class PartialFactorisation : public LinearSolver {
+ public:
+  PartialFactorisation(const Parts& parts,
+                       const std::vector<dealii::types::global_dof_index>& unknowns)
+      : parts_(parts), factors_(parts.size()) {
+    contact::for_each_index(parts.size(), [&](std::size_t k) {
+      factors_[k] = std::make_unique<PartialFactor>(parts[k]->part(unknowns));
+    });
+  }
+  void solve(Vector& u, const Vector& b) const override {
+    solve_parts(parts_, &u, 1, [&](std::size_t k, double weight) {
+      return parts_[k]->solution(weight, b, *factors_[k]);
+    });
+  }
+  int last_iterations() const override { return 0; }
+  bool runs_beside_others() const override { return true; }
+  std::string description() const override {
+    double bytes = 0.0;
+    for (const auto& factor : factors_) bytes += factor->memory_bytes();
+    return fmt::format("single precision, {:.2f} GB", 1e-9 * bytes);
+  }
+
+ private:
+  const Parts& parts_;
+  std::vector<std::unique_ptr<PartialFactor>> factors_;
+};
+
 class Factorisation : public LinearSolver {
  public:
   explicit Factorisation(const ElasticProblem& problem) {
@@ -116,6 +174,10 @@ class Factorisation : public LinearSolver {
     for (std::size_t first = 0; first < b.size(); first += right_sides_at_once)
       solve_some(&u[first], &b[first], std::min(right_sides_at_once, b.size() - first));
   }
+  std::unique_ptr<LinearSolver> in_part(
+      const std::vector<dealii::types::global_dof_index>& unknowns) const override {
+    return std::make_unique<PartialFactorisation>(parts_, unknowns);
+  }
   int last_iterations() const override { return 0; }
   bool runs_beside_others() const override { return true; }
   std::string description() const override {
@@ -131,16 +193,12 @@ class Factorisation : public LinearSolver {
 
  private:
   void solve_some(Vector* u, const Vector* b, std::size_t count) const {
-    std::for_each(u, u + count, [](Vector& of_one) { of_one = 0.0; });
-    const double weight = 1.0 / static_cast<double>(parts_.size());
-    std::vector<std::vector<double>> x(parts_.size());
-    contact::for_each_index(parts_.size(),
-                            [&](std::size_t k) { x[k] = parts_[k]->solutions(weight, b, count); });
-    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k]->add(x[k], count, u);
-    std::for_each(u, u + count, [](const Vector& of_one) { of_one.update_ghost_values(); });
+    solve_parts(parts_, u, count, [&](std::size_t k, double weight) {
+      return parts_[k]->solutions(weight, b, count);
+    });
   }
 
-  std::vector<std::unique_ptr<Part>> parts_;
+  Parts parts_;
 };
 
 }  // namespace

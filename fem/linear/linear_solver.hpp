@@ -6,6 +6,7 @@
 #include "fem/discretisation/elastic_problem.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,13 @@ class LinearSolver {
   /// The same for several right-hand sides; a factorisation reads its factor only once.
   virtual void solve_all(std::vector<Vector>& u, const std::vector<Vector>& b) const {
     for (std::size_t k = 0; k < b.size(); ++k) solve(u[k], b[k]);
+  }
+  /// A faster solver in single precision, for right-hand sides that are 0 at all but these unknowns
+  /// (in increasing order), with solutions that are undefined at all others; null: there is none.
+  /// It must not outlive this one.
+  virtual std::unique_ptr<LinearSolver> in_part(
+      const std::vector<dealii::types::global_dof_index>& /*unknowns*/) const {
+    return nullptr;
   }
   virtual int last_iterations() const = 0;  ///< 0 for a factorisation
   virtual std::string description() const = 0;

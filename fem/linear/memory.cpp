@@ -24,6 +24,7 @@ constexpr double mesh_per_unknown = 200.0;  ///< triangulation, numbering, const
 /// With several processes, each also stores neighbouring cells of others, and the first the factor
 /// of the coarsest level.
 constexpr double multigrid_per_unknown = 280.0, multigrid_per_unknown_of_several = 300.0;
+constexpr double single_part = 0.46;  ///< of a factor in single precision, on the streamlines
 constexpr double algebraic_per_unknown = 5000.0;
 constexpr double solve_per_unknown = 120.0;  ///< vectors of each further solve at the same time
 constexpr double fields_per_unknown = 70.0;
@@ -66,11 +67,10 @@ double predicted_bytes(const MemoryDemand& demand) {
   double shared = mesh_per_unknown * unknowns;
   // The matrix beside the factors is covered by the overestimate of the factors: the total was 3 to
   // 15 % below the prediction for cells of 1.88 to 0.47 mm, for half and whole bodies.
-  if (demand.factorisation)
+  for (std::size_t k = 0; k < 2 && demand.factorisation; ++k)
     shared +=
-        predicted_factor_bytes(demand.unknowns[0]) + predicted_factor_bytes(demand.unknowns[1]);
-  else
-    shared += per_unknown(demand) * unknowns;
+        predicted_factor_bytes(demand.unknowns[k]) * (demand.yields[k] ? 1.0 + single_part : 1.0);
+  if (!demand.factorisation) shared += per_unknown(demand) * unknowns;
   double bytes = program + shared / demand.processes;
   if (!demand.factorisation && !demand.algebraic) bytes += demand.coarse_factors;
   // Process 0 gathers the fields of all.

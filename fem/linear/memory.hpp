@@ -12,6 +12,7 @@ namespace rollfem::fem {
 /// Parameters of the memory estimate.
 struct MemoryDemand {
   std::array<double, 2> unknowns{};  ///< of wheel and rail; 0: rigid
+  std::array<bool, 2> yields{};      ///< with part of the factor in single precision
   bool factorisation = false;        ///< otherwise multigrid
   bool algebraic = false;            ///< algebraic multigrid on an assembled matrix
   /// Bytes on every process for the factors of given coarse meshes; factors of boxes are small.

@@ -11,6 +11,7 @@
 #include "fem/mesh/run_layout.hpp"
 
 #include <deal.II/base/mpi.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -145,6 +146,7 @@ MemoryDemand completed(const Scene& scene, MemoryDemand demand, const BodyOption
   for (std::size_t k = 0; k < count && body_fields; ++k)
     demand.body_fields += scene.output.keeps_bodies(k, count) ? 1 : 0;
   demand.half = options.half;
+  demand.yields = {scene.wheel.plasticity.has_value(), scene.rail.plasticity.has_value()};
   demand.processes = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
   demand.factorisation = takes_factorisation(scene, demand);
   return demand;
@@ -199,6 +201,28 @@ MemoryDemand expected_demand(const Scene& scene, double cell_size) {
 
 void refuse_beyond_memory(const Scene& scene, double cell_size) {
   refuse_beyond_memory(expected_demand(scene, cell_size), cell_size, MPI_COMM_WORLD);
+}
+
+std::optional<contact::Note> fit_surface_rows(Scene& scene, double cell_size) {
+  if (!scene.yields() || options_of(scene).surface_layer || fit_together(scene, {cell_size}))
+    return {};
+  const BodyOptions bodies = run_layout(scene, cell_size).bodies;
+  const auto first_row = [&](bool is_wheel) {
+    return options_of(scene, is_wheel, bodies).rows.depth(cell_size);
+  };
+  const double chosen = std::min(first_row(true), first_row(false));
+  double row = chosen;
+  do {
+    row *= 1.25;
+    scene.options.set<FemOptions>().surface_layer = row;
+  } while (row < cell_size && !fit_together(scene, {cell_size}));
+  contact::Note note{"surface_layer",
+                     fmt::format("the first row of cells is {:.2g} mm high instead of {:.2g} mm, "
+                                 "for which memory does not suffice: the strain at the surface is "
+                                 "not resolved",
+                                 std::min(row, cell_size), chosen),
+                     contact::Note::warning};
+  return note;
 }
 
 bool fit_together(const Scene& scene, const std::vector<double>& cell_sizes) {

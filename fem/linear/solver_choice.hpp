@@ -6,9 +6,11 @@
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/linear_solver.hpp"
 #include "fem/linear/memory.hpp"
+#include "result/note.hpp"
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace rollfem::fem {
@@ -29,6 +31,10 @@ Solvers make_solvers(const contact::Scene& scene, const BodyPair& bodies, bool f
 /// Throws contact::SolveError when the level does not fit into memory, without creating a mesh.
 /// Collective.
 void refuse_beyond_memory(const contact::Scene& scene, double cell_size);
+
+/// Gives a scene that yields thicker first rows than chosen for it until memory takes its cells;
+/// the note says so. None: they fit.
+std::optional<contact::Note> fit_surface_rows(contact::Scene& scene, double cell_size);
 
 /// Whether memory takes levels with cells of these sizes at the same time.
 bool fit_together(const contact::Scene& scene, const std::vector<double>& cell_sizes);

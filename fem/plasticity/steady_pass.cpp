@@ -3,7 +3,6 @@
 
 #include "base/errors.hpp"
 #include "base/threads.hpp"
-#include "contact/iteration/anderson.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
@@ -125,6 +124,38 @@ class Flow {
   std::vector<double> work_, utilisation_;
 };
 
+constexpr int depth = 10;  ///< of Anderson's method
+
+/// The displacement by plastic strain: exact, or fast by PassSolver::in_part, which then lacks only
+/// the difference from the last exact one.
+class PlasticResponse {
+ public:
+  PlasticResponse(const PassSolver& solver, const YieldedBody& start)
+      : solver_(solver), correction_(start.displacement) {
+    if (solver.in_part == nullptr) return;
+    Vector rough = correction_;
+    solver.in_part->solve(rough, start.load);
+    correction_ -= rough;
+  }
+  void solve(const Vector& load, Vector& displacement) const {
+    if (solver_.in_part == nullptr) return solver_.exact.solve(displacement, load);
+    solver_.in_part->solve(displacement, load);
+    displacement += correction_;
+  }
+  /// Replaces what solve() found for the same load. False: it was exact.
+  bool solve_exactly(const Vector& load, Vector& displacement) {
+    if (solver_.in_part == nullptr) return false;
+    correction_ -= displacement;
+    solver_.exact.solve(displacement, load);
+    correction_ += displacement;
+    return true;
+  }
+
+ private:
+  const PassSolver& solver_;
+  Vector correction_;
+};
+
 }  // namespace
 
 YieldedBody before_first_pass(const Streamlines& streamlines, const Body& body) {
@@ -146,30 +177,44 @@ YieldedBody before_first_step(const Streamlines& streamlines, const Body& body,
   return untouched;
 }
 
-PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
-                       const LinearSolver& solver, const std::vector<Deviator>& elastic,
-                       const PassAccuracy& accuracy, YieldedBody& yielded) {
+PassSolver::PassSolver(const Streamlines& streamlines, const LinearSolver& solver)
+    : exact(solver),
+      in_part(solver.in_part(streamlines.unknowns())),
+      energy([communicator = streamlines.communicator()](const Eigen::VectorXd& a,
+                                                         const Eigen::VectorXd& b) {
+        const Eigen::Index n = a.size() / 2;
+        return dealii::Utilities::MPI::sum(a.head(n).dot(b.tail(n)), communicator);
+      }),
+      steps(depth, energy) {}
+
+PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law, PassSolver& solver,
+                       const std::vector<Deviator>& elastic, const PassAccuracy& accuracy,
+                       YieldedBody& yielded) {
   Flow flow(streamlines, law, elastic, yielded, accuracy.steps);
-  const auto energy = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    const Eigen::Index n = a.size() / 2;
-    return dealii::Utilities::MPI::sum(a.head(n).dot(b.tail(n)),
-                                       yielded.load.get_mpi_communicator());
-  };
-  constexpr int depth = 10;
-  contact::Anderson anderson(depth, energy);
+  PlasticResponse response(solver, yielded);
   Patience patience;
   PassReport report;
   Vector displacement = yielded.displacement, load = yielded.load;
   displacement.update_ghost_values();
-  Eigen::VectorXd tried = stacked(displacement, load);
+  Eigen::VectorXd tried = stacked(displacement, load), result;
+  double all = 0.0, change = 0.0;
+  const auto compare = [&] {
+    result = stacked(displacement, load);
+    const Eigen::VectorXd residual = result - tried;
+    // That of rounding may be negative.
+    all = solver.energy(result, result);
+    change = std::max(0.0, solver.energy(residual, residual));
+    report.residual = all == 0.0 ? 0.0 : std::sqrt(change / all);
+    return all == 0.0 || (report.residual <= accuracy.residual && report.iterations > 1);
+  };
+  solver.steps.interrupt();
   for (report.iterations = 1;; ++report.iterations) {
     flow.follow(displacement, load);
-    solver.solve(displacement, load);
-    const Eigen::VectorXd result = stacked(displacement, load), residual = result - tried;
-    // That of rounding may be negative.
-    const double all = energy(result, result), change = std::max(0.0, energy(residual, residual));
-    report.residual = all == 0.0 ? 0.0 : std::sqrt(change / all);
-    if (all == 0.0 || (report.residual <= accuracy.residual && report.iterations > 1)) break;
+    response.solve(load, displacement);
+    if (compare()) {
+      if (!accuracy.whole_body || !response.solve_exactly(load, displacement) || compare()) break;
+      solver.steps.interrupt();
+    }
     if (report.iterations == accuracy.most_iterations || !std::isfinite(report.residual))
       throw contact::SolveError(fmt::format(
           "plastic flow did not settle in {} iterations: out-of-balance forces are {:.2g} of those "
@@ -178,8 +223,8 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
           "do: give a smaller load or friction, hardening, or a smaller [fem] cell_size",
           report.iterations, report.residual, accuracy.residual,
           law.parameters().shear_yield_stress()));
-    if (patience.ends_with(change)) anderson.restart();
-    tried = anderson.next(tried, result);
+    if (patience.ends_with(change)) solver.steps.restart();
+    tried = solver.steps.next(tried, result);
     unstack(tried, displacement, load);
   }
   yielded.displacement = displacement;

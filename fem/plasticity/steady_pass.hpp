@@ -6,10 +6,12 @@
 // without rolling, its own of the step before.
 #pragma once
 
+#include "contact/iteration/anderson.hpp"
 #include "fem/linear/linear_solver.hpp"
 #include "fem/plasticity/streamlines.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace rollfem::fem {
@@ -46,14 +48,28 @@ struct PassReport {
 struct PassAccuracy {
   double residual = 1e-6;
   int most_iterations = 300;
+  /// Otherwise the displacement is defined on the streamlines only.
+  bool whole_body = true;
   int steps = 4;  ///< of the law between two stations, or from one load to the next
+};
+
+/// The displacement of a body by plastic strain, and what its iterations have learned about it:
+/// those of similar loads go on with the steps of the last one.
+struct PassSolver {
+  /// Both arguments must outlive it.
+  PassSolver(const Streamlines& streamlines, const LinearSolver& solver);
+
+  const LinearSolver& exact;
+  std::shared_ptr<const LinearSolver> in_part;  ///< on the streamlines only; null: none
+  contact::Anderson::Product energy;            ///< of displacements stacked on their loads
+  contact::Anderson steps;
 };
 
 /// `elastic`: deviatoric strain at the points under the load alone. Replaces `yielded` by its state
 /// after one more pass, or one more step if it is pressed. Throws contact::SolveError when the
 /// iteration does not converge, and leaves `yielded` as it was. Collective.
-PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
-                       const LinearSolver& solver, const std::vector<Deviator>& elastic,
-                       const PassAccuracy& accuracy, YieldedBody& yielded);
+PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law, PassSolver& solver,
+                       const std::vector<Deviator>& elastic, const PassAccuracy& accuracy,
+                       YieldedBody& yielded);
 
 }  // namespace rollfem::fem

@@ -199,6 +199,19 @@ Streamlines::Streamlines(const Body& body, const StreamLattice& lattice)
 
 Streamlines::~Streamlines() = default;
 
+std::vector<dealii::types::global_dof_index> Streamlines::unknowns() const {
+  std::vector<dealii::types::global_dof_index> all;
+  for (const PlasticCell& cell : implementation_->cells)
+    all.insert(all.end(), cell.dofs.begin(), cell.dofs.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+MPI_Comm Streamlines::communicator() const {
+  return implementation_->body.dofs().get_communicator();
+}
+
 double Streamlines::volume(std::size_t k) const {
   return implementation_->volumes[k];
 }

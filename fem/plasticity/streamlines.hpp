@@ -48,6 +48,9 @@ class Streamlines : public StreamLattice {
   /// the lattice is not in the body.
   Streamlines(const Body& body, const StreamLattice& lattice);
   ~Streamlines();
+  /// In increasing order: at all others load() is 0.
+  std::vector<dealii::types::global_dof_index> unknowns() const;
+  MPI_Comm communicator() const;
   /// mm^3, of the point k = stream * stations() + station.
   double volume(std::size_t k) const;
   /// Deviators of the strain of a displacement with ghost values. Collective.

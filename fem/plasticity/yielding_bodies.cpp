@@ -106,9 +106,9 @@ class YieldingBody {
   YieldingBody(const contact::BodyPlasticity& steel, const FemOptions& options, bool pressed,
                const Body& body, const LinearSolver& solver)
       : body_(body),
-        solver_(solver),
         law_(steel, lame_mu(body.material())),
         streamlines_(body, lattice_of(body.options())),
+        solver_(streamlines_, solver),
         results_(body, law_, streamlines_, options.cycle, pressed),
         extrapolates_(options.limit_state),
         before_(before_first_pass(streamlines_, body)),
@@ -128,6 +128,7 @@ class YieldingBody {
     next.leaving = before_.leaving;
     next.strain = before_.strain;
     PassAccuracy accuracy;
+    accuracy.whole_body = counts;
     accuracy.residual = counts ? tight_residual
                                : std::clamp(part_of_change * relative_change(strain, last_strain_),
                                             loose_residual, loosest_residual);
@@ -149,6 +150,7 @@ class YieldingBody {
     if (extrapolates_ && results_.cycle_ended())
       limit_.approach(residual_behind_load(), before_.leaving);
     last_strain_.clear();  // the next pass begins as in a run that is resumed
+    solver_.steps.restart();
     return section;
   }
   /// What the next pass starts from; by reading it the body goes on from there.
@@ -229,9 +231,9 @@ class YieldingBody {
   }
 
   const Body& body_;
-  const LinearSolver& solver_;
   PlasticLaw law_;
   Streamlines streamlines_;
+  PassSolver solver_;
   PassResults results_;
   bool extrapolates_;
   LimitState limit_;

@@ -82,6 +82,7 @@ class Passes {
          double with_friction = 0.0)
       : of(rolled),
         law(steel, fem::lame_mu(rolled.body->material())),
+        solver(rolled.lines, *rolled.solver),
         load_factor(factor),
         friction(with_friction),
         elastic(rolled.elastic_strain(factor, with_friction)),
@@ -90,7 +91,7 @@ class Passes {
   /// Largest increase of the accumulated plastic strain of any streamline during one more pass.
   double next() {
     const auto before = state.leaving;
-    report = fem::steady_pass(of.lines, law, *of.solver, elastic, accuracy, state);
+    report = fem::steady_pass(of.lines, law, solver, elastic, accuracy, state);
     double increase = 0.0;
     for (std::size_t k = 0; k < before.size(); ++k)
       increase = std::max(increase, state.leaving[k].accumulated - before[k].accumulated);
@@ -128,6 +129,7 @@ class Passes {
 
   const RolledBody& of;
   fem::PlasticLaw law;
+  fem::PassSolver solver;
   double load_factor, friction;
   std::vector<fem::Deviator> elastic;
   fem::PassAccuracy accuracy;

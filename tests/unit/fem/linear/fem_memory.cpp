@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The message for a run that does not fit in memory, and the count of unknowns before meshing.
 #include "base/errors.hpp"
+#include "case/reading/case_reader.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/memory.hpp"
+#include "fem/linear/solver_choice.hpp"
 #include "fem/mesh/body_mesh.hpp"
+#include "fem/mesh/run_layout.hpp"
 
+#include "support/model_keys.hpp"
 #include "support/mpi_environment.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -48,6 +52,31 @@ TEST(FemMemory, UnknownsAreCountedWithoutAMesh) {
 TEST(FemMemory, CountingStopsAtEnough) {
   const double predicted = fem::predicted_unknowns(options_of(1e-4, true), 1e7);
   EXPECT_GT(predicted, 1e7);
+}
+
+TEST(FemMemory, RowsAtTheSurfaceAreAsThinAsMemoryAllows) {
+  const contact::Scene scene(contact::parse_case(
+      "[load]\nnormal_force = 60e3\n[friction]\ncoefficient = 0.35\n[wheel]\nrolling_radius = "
+      "450.0\ntransverse_radius = inf\n[rail]\ntransverse_radius = 450.0\n[rail_plasticity]\n"
+      "yield_stress = 400.0\nhardening = 10e3\n",
+      "case"));
+  constexpr double cell = 0.8;
+  contact::Scene fitting = scene;
+  std::optional<contact::Note> note;
+  EXPECT_FALSE(fem::fit_surface_rows(fitting, cell)) << "no need";
+  for (double gigabytes = 4.0; !note && gigabytes > 0.1; gigabytes *= 0.99) {
+    setenv("ROLLFEM_MEMORY_GB", std::to_string(gigabytes).c_str(), 1);
+    fitting = scene;
+    note = fem::fit_surface_rows(fitting, cell);
+  }
+  ASSERT_TRUE(note);
+  EXPECT_TRUE(fem::fit_together(fitting, {cell}));
+  unsetenv("ROLLFEM_MEMORY_GB");
+  const auto first_row = [&](const contact::Scene& of) {
+    return fem::options_of(of, false, fem::run_layout(of, cell).bodies).rows.depth(cell);
+  };
+  EXPECT_GT(first_row(fitting), 1.2 * first_row(scene));
+  EXPECT_TRUE(says(note->text, "memory", "not resolved"));
 }
 
 }  // namespace
