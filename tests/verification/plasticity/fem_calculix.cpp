@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Passes of a line contact over hardening steel against another finite-element program, which moves
-// the load step by step: CalculiX 2.20, by benchmarks/calculix/rolled_line.py.
+// Passes of a line contact over hardening steel against another finite-element
+// program, which moves the load step by step: CalculiX 2.20, by
+// benchmarks/calculix/rolled_line.py.
 #include "support/fem_plane_strain.hpp"
 
 namespace {
 
-/// Means over the cell in this depth, half-widths: plastic strain xz in thousandths, residual
-/// stress along and across over p0.
+/// Means over the cell in this depth, half-widths: plastic strain xz in
+/// thousandths, residual stress along and across over p0.
 struct OfCell {
   double depth, plastic_xz, along, across;
 };
@@ -69,8 +70,27 @@ const std::vector<OfPass> with_friction{{{0.0625, 1.04293, 0.1999, -0.0534},
                                          {1.8125, 0.15492, -0.0296, -0.0182},
                                          {1.9375, 0.03248, -0.0011, -0.0030}}};
 
-/// Row of equal cells below thin ones, half-widths: --rows of 0.02 and so on, each 0.014 higher.
-constexpr double first_row = 0.02;
+/// --cells 8 --friction 0.2 --passes 3 --rows 0.02 0.034 0.048 0.062 0.076 0.09
+/// 0.104 0.118
+const std::vector<OfPass> with_thin_rows{{
+    {0.01, 0.74349, 0.1572, -0.0684},
+    {0.037, 0.77685, 0.1943, -0.0338},
+    {0.078, 1.05850, 0.2048, -0.0396},
+    {0.133, 1.44150, 0.1837, -0.0792},
+    {0.202, 1.71750, 0.1391, -0.1131},
+    {0.285, 1.97291, 0.0819, -0.1415},
+    {0.382, 2.25055, 0.0205, -0.1636},
+    {0.493, 2.40248, -0.0351, -0.1736},
+    {0.6145, 2.39857, -0.0774, -0.1714},
+    {0.7395, 2.29334, -0.1041, -0.1606},
+    {0.8645, 2.10609, -0.1185, -0.1451},
+    {0.9895, 1.86094, -0.1239, -0.1274},
+    {1.1145, 1.58262, -0.1228, -0.1093},
+    {1.2395, 1.28139, -0.1162, -0.0915},
+    {1.3645, 0.98249, -0.1054, -0.0745},
+    {1.4895, 0.70125, -0.0905, -0.0585},
+    {1.6145, 0.45387, -0.0719, -0.0432},
+}};
 
 Passes rolled_passes(const RolledBody& slab, double friction) {
   Passes passes(slab, plain_steel(300.0, 210e3 / 20.0), 3.9 * 300.0, friction);
@@ -104,7 +124,8 @@ OfPass means_over_cells(const Passes& passes) {
 
 /// Strain relative to its largest.
 struct Tolerance {
-  double at_surface, strain, stress;  ///< at_surface: strain in the first two cells
+  double at_surface, strain, stress;
+  double surface = 0.2;  ///< at_surface holds above this depth
 };
 
 void expect_near(const OfPass& cells, const OfPass& expected, const Tolerance& tolerance) {
@@ -114,8 +135,9 @@ void expect_near(const OfPass& cells, const OfPass& expected, const Tolerance& t
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const OfCell& cell = cells[k];
     ASSERT_NEAR(cell.depth, expected[k].depth, 1e-4);
-    EXPECT_NEAR(cell.plastic_xz, expected[k].plastic_xz,
-                (k < 2 ? tolerance.at_surface : tolerance.strain) * largest)
+    EXPECT_NEAR(
+        cell.plastic_xz, expected[k].plastic_xz,
+        (cell.depth < tolerance.surface ? tolerance.at_surface : tolerance.strain) * largest)
         << cell.depth;
     EXPECT_NEAR(cell.along, expected[k].along, tolerance.stress) << cell.depth;
     EXPECT_NEAR(cell.across, expected[k].across, tolerance.stress) << cell.depth;
@@ -124,23 +146,43 @@ void expect_near(const OfPass& cells, const OfPass& expected, const Tolerance& t
 
 }  // namespace
 
-// 3.9 k with Prager's hardening E/20; the same cells (there with 8 nodes), steps and clamped ends.
-// What remains is the way that the load has come: these 16 half-widths to both sides leave 1.6 % of
-// strain and 0.007 p0 of stress along. In a copy of CalculiX's scheme that gives its numbers to
-// 1e-4, 6, 12 and 24 leave 5, 2.6 and 0.4 %, and 0.021, 0.011 and 0.003 p0.
+// 3.9 k with Prager's hardening E/20; the same cells (there with 8 nodes),
+// steps and clamped ends. What remains is the way that the load has come: these
+// 16 half-widths to both sides leave 1.6 % of strain and 0.007 p0 of stress
+// along. In a copy of CalculiX's scheme that gives its numbers to 1e-4, 6, 12
+// and 24 leave 5, 2.6 and 0.4 %, and 0.021, 0.011 and 0.003 p0.
 TEST(PlasticLineContact, FlowIsThatOfALoadMovedStepByStepInCalculix) {
   Passes passes = rolled_passes(slab_of(4, 40.0), 0.0);
   passes.next();
   expect_near(means_over_cells(passes), without_friction, {0.018, 0.018, 0.008});
 }
 
-// Friction makes strain 2.6 times as large in the first pass. In the first two cells, where it
-// begins at the surface, the elements differ: by 6 and 2 % in the first pass, 3.5 and 0.9 % in the
-// third.
+// Friction makes strain 2.6 times as large in the first pass. In the first two
+// cells, where it begins at the surface, the elements differ: by 6 and 2 % in
+// the first pass, 3.5 and 0.9 % in the third.
 TEST(PlasticLineContact, FlowOfThreePassesIsThatOfALoadMovedStepByStepInCalculix) {
   Passes passes = rolled_passes(slab_of(8, 20.0), 0.2);
   for (const OfPass& expected : with_friction) {
     passes.next();
     expect_near(means_over_cells(passes), expected, {0.065, 0.01, 0.0075});
+  }
+}
+
+// The same on thin rows at the surface, there and here. What differs is the
+// traction along rolling, which lies still on these cells and moves over those
+// by half of one: above 0.1 half-widths the strain is 7, 15 and 14 % less than
+// there, on cells of a/16 7 % more, 2 and 7 %.
+TEST(PlasticLineContact, FlowOfThinRowsAtTheSurfaceIsThatInCalculix) {
+  SlabOptions options;
+  options.extent = 20.0;
+  options.first_row = 0.02;
+  const auto slab = rolled_slab(options);
+  Passes passes = rolled_passes(*slab, 0.2);
+  for (const OfPass& expected : with_thin_rows) {
+    passes.next();
+    OfPass cells = means_over_cells(passes);
+    cells.resize(expected.size());
+    EXPECT_NEAR(cells[0].plastic_xz, expected[0].plastic_xz, 0.03 * expected[7].plastic_xz);
+    expect_near(cells, expected, {0.065, 0.0125, 0.015, 0.1});
   }
 }
