@@ -19,7 +19,7 @@ import re
 ANY = None  # every room of that module
 
 SCENES = {"base": ANY, "case": ANY, "scene": ANY}
-SOLVER = {**SCENES, "result": {""}, "contact": ANY}
+SOLVER = {**SCENES, "result": {"", "heat"}, "contact": ANY}
 
 # Modules that each module, or a room of one, may include.
 ALLOWED = {
@@ -29,7 +29,7 @@ ALLOWED = {
     "result/write": {**SCENES, "result": ANY},
     "result": {**SCENES},
     "contact/iteration": {"base": ANY, "scene": ANY, "result": {""}},
-    "contact/solve": {"base": ANY, "scene": ANY, "result": {""}, "contact": {"iteration"}},
+    "contact/solve": {"base": ANY, "scene": ANY, "result": {"", "heat"}, "contact": {"iteration"}},
     "halfspace": {**SOLVER},
     "theories": {**SOLVER, "halfspace": ANY},
     "profiles": {**SCENES},
@@ -58,7 +58,7 @@ ROOMS = {
     "hybrid": ["", "correction"],
     "track": ["placement", "search", "motion", "balance", "pair"],
     "case": ["", "keys", "checks", "reading"],
-    "result": ["", "files", "hdf5", "write"],
+    "result": ["", "heat", "files", "hdf5", "write"],
     "modelling": ["program", "caches", "fem", "choice", "solving", "stress", "", "frame"],
     "tables": ["files", "filling"],
     "app": ["frame", "input", "results", "run", ""],

@@ -22,4 +22,4 @@ from .yielding import yielding_layer
 ALL = [hertz, grid_order, steuermann, cattaneo, spence, carter, bentall_johnson, nowell_hills, kalker, benchmark_9,
        fastsim, transient, creep_frequency, stress_circle, stress_case_a, elements, persson, fem_hertz, incompressible,
        inertia, thesis_cases, half_space_limits, calculix, hybrid, curvature_slip, conformal_contact, wheel_on_rail,
-       manchester, measured, falling_friction, heat, yielding_layer]
+       manchester, measured, falling_friction, yielding_layer, heat]
