@@ -43,6 +43,14 @@ std::string head_of(const Section& section) {
   return section.repeated ? "[[" + section.name + "]]\n" : "[" + section.name + "]\n";
 }
 
+/// A constant of a friction law belongs to that law alone.
+void choose_law(const Key& key, Case& input) {
+  for (const FallShape& shape : fall_shapes())
+    for (const FallShape::Constant& own : shape.constants)
+      if (own.name != nullptr && key.path() == std::string("friction.") + own.name)
+        input.friction_fall.shape = shape;
+}
+
 TEST(CaseDeclarations, AllowedValuesFillTheMember) {
   for (const Section& section : case_sections())
     for (const Key& key : section) {
@@ -53,6 +61,7 @@ TEST(CaseDeclarations, AllowedValuesFillTheMember) {
       ASSERT_EQ(values.count(&key), 1u) << key.path();
       EXPECT_EQ(values.at(&key).value, value) << key.path();
       Case input;
+      choose_law(key, input);
       key.set(input, value);
       EXPECT_EQ(key.get(input), value) << key.path();
     }
@@ -112,6 +121,7 @@ TEST(CaseDeclarations, CheckTemplateAndReferenceNameEveryKey) {
       Case input;
       input.wheel.profile.name = "S1002";  // without one, [track] and the like are not talked of
       input.wheelset.on_rail = section.on_rail.value_or(false);
+      choose_law(key, input);
       key.set(input, other_value(key));
       const std::string said = toml_text(key.get(input)) + (key.unit.empty() ? "" : " " + key.unit);
       const bool title = key.path() == "title";
