@@ -141,6 +141,40 @@ TEST(PlasticPressing, UnloadingIsElasticAndSoIsTheSameLoadAgain) {
   EXPECT_NEAR(again.approach / most.approach, 1.0, 1e-4);
 }
 
+namespace {
+
+/// By CalculiX 2.20 under the pressure of these steps, benchmarks/calculix/pressed_ball.py: depth
+/// below the middle, mm, plastic strain under 4 kN, residual stress along x without load, MPa.
+struct BelowTheBall {
+  double depth, strain, along;
+};
+constexpr BelowTheBall by_calculix[] = {
+    {0.1972, 1.685e-3, 42.4},   {0.3028, 2.963e-3, -9.5},   {0.4472, 4.101e-3, -79.5},
+    {0.5528, 4.610e-3, -124.4}, {0.6972, 4.986e-3, -170.4}, {0.8028, 5.056e-3, -191.4},
+    {0.9472, 4.902e-3, -204.0}, {1.053, 4.644e-3, -203.2},  {1.197, 4.146e-3, -191.7},
+    {1.303, 3.716e-3, -177.5},  {1.447, 3.096e-3, -152.7},  {1.553, 2.647e-3, -131.8},
+    {1.697, 2.065e-3, -101.0},  {1.803, 1.667e-3, -77.5},   {1.947, 1.171e-3, -44.9}};
+/// Of the surface, in the middle (0.053 mm beside it) relative to 2.197 mm beside it, mm.
+constexpr double imprint_by_calculix = -6.310e-3;
+
+}  // namespace
+
+TEST(PlasticPressing, StrainStressAndImprintBelowABallAreThoseOfCalculix) {
+  Case input = ball_on_flat({1e3, 2e3, 4e3, 0.0});
+  input.rail.plasticity->rise = 300.0;
+  input.rail.plasticity->rate = 20.0;
+  const auto points = steps_of(input, 0.25);
+  const YieldedSection &most = rail_of(points[2]), &left = rail_of(points[3]);
+  const auto width = static_cast<std::size_t>(left.across);
+  for (const BelowTheBall& one : by_calculix) {
+    std::size_t k = 0;
+    while (std::abs(left.depth[k] - one.depth) > 1e-3) ASSERT_LT(k += width, left.depth.size());
+    EXPECT_NEAR(most.accumulated[k], one.strain, 0.06 * 5.056e-3) << one.depth;
+    EXPECT_NEAR(left.stress[k][0], one.along, 0.05 * 208.0) << one.depth;
+  }
+  EXPECT_NEAR((left.groove.front() - left.groove.back()) / imprint_by_calculix, 1.0, 0.025);
+}
+
 TEST(PlasticPressing, EqualBodiesYieldEqually) {
   Case input = equal_balls(ball_radius, 1000.0, 0.0);
   input.wheel.plasticity = input.rail.plasticity = steel(20e3);
