@@ -70,7 +70,9 @@ TEST(FlashTemperature, OfHertzianPressureInFullSlidingConvergesToTheClosedForm) 
   for (const auto& [across, allowed] : {std::pair{20, 6e-3}, {40, 2e-3}, {80, 7e-4}, {640, 1e-4}}) {
     const PointResult point = heated(heat_of(steel, steel), across, hertz, grid);
     EXPECT_NEAR(*point.max_temperature / exact, 1.0, allowed) << across;
-    if (across == 640) EXPECT_NEAR(*point.max_temperature_x / 5.0, -0.65, 0.01);
+    if (across == 640) {
+      EXPECT_NEAR(*point.max_temperature_x / 5.0, -0.65, 0.01);
+    }
   }
 }
 
