@@ -46,6 +46,7 @@ SectionWithKeys track_section() {
            otherwise("the rails stay in place"),
            "Of springs without mass on which each rail stands, across and vertical.");
   keys.add("rail_force", &Track::rail_force, unit("N"), within(largest_force), silent_default,
+           otherwise("0"),
            "On each rail besides that of its wheel, to the right and down, with rail_stiffness.");
   keys.add(KeyKind::lean, "inclination",
            Access<Track>{

@@ -10,20 +10,21 @@ import rollfem
 
 AMPLITUDE = 0.01  # mm
 STEP = 1.0        # mm
-WHEEL = rollfem.Case(
-    title="a braked wheel on a rail with a wave",
-    wheel={"profile": "arcs", "rolling_radius": 460.0}, wheel_profile={"radii": [1e6], "ends": [40.0], "symmetric": True},
-    rail={"profile": "arcs"}, rail_profile={"radii": [300.0], "ends": [36.0], "symmetric": True, "free_ends": True},
-    placement={"lateral_position": 0.0, "rotation_change": -0.001}, load={"vertical_force": 80e3},
-    friction={"coefficient": 0.3}, rolling={"problem": "transient"}, history={"start": "steady"},
-    contact_grid={"elements_across": 16}, output={"paths": [], "fields": False, "grid_fields": "all"})
+WHEEL = {
+    "title": "a braked wheel on a rail with a wave",
+    "wheel": {"profile": "arcs", "rolling_radius": 460.0}, "wheel_profile": {"radii": [1e6], "ends": [40.0], "symmetric": True},
+    "rail": {"profile": "arcs"}, "rail_profile": {"radii": [300.0], "ends": [36.0], "symmetric": True, "free_ends": True},
+    "load": {"vertical_force": 80e3}, "friction": {"coefficient": 0.3}, "rolling": {"problem": "transient"},
+    "history": {"start": "steady"}, "contact_grid": {"elements_across": 16},
+    "output": {"paths": [], "fields": False, "grid_fields": "all"}}
 
 
 def work_over_rail(wave):
     """Work of friction on each mm^2 of rail in the plane y = 0, N/mm, over places along the rail, mm: that of one wave."""
     ways = np.arange(0.0, 2.0 * wave + 40.0, STEP)
-    result = rollfem.solve(WHEEL, model="halfspace", placement={"track_position": ways.tolist()},
-                           rail_corrugation={"wavelength": wave, "amplitude": AMPLITUDE})
+    pose = {"lateral_position": 0.0, "rotation_change": -0.001, "track_position": ways.tolist()}
+    result = rollfem.solve({**WHEEL, "placement": pose, "rail_corrugation": {"wavelength": wave, "amplitude": AMPLITUDE}},
+                           model="halfspace")
     places, work = [], []
     for way, step in zip(ways, result):
         point = step.points[0]

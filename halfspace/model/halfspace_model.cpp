@@ -250,6 +250,22 @@ std::string set_bars(const Scene& scene, Levels& levels) {
   return warning;
 }
 
+/// The finest level, or one that helps it.
+std::optional<contact::LevelResult> level_of(const Scene& scene, const PatchSearch& area,
+                                             const std::vector<Cell>& cells, std::size_t level,
+                                             const contact::LevelResult* start,
+                                             const contact::Progress& progress,
+                                             contact::Checkpoint* checkpoint,
+                                             const GridElasticity& elasticity) {
+  const Cell& cell = cells[level];
+  if (level + 1 == cells.size())
+    return solve_level(scene, area, cell.dx, cell.dy, start,
+                       scene.accuracy.relative ? fmt::format("{} across: ", cell.across) : "",
+                       progress, checkpoint, elasticity);
+  return coarser_level(scene, area, cell, start,
+                       !is_a_start(scene, cell, level + 2 == cells.size()), progress, elasticity);
+}
+
 /// The bars of a step of a wheel's history from the length of its steps.
 void count_doubled_step(const Scene& scene, const Cell& cell, Levels& levels,
                         const contact::Progress& progress, const GridElasticity& elasticity,
@@ -457,23 +473,18 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   for (std::size_t level = 0; level < cells.size(); ++level) {
     const Cell cell = cells[level];
     const bool last = level + 1 == cells.size();
-    std::optional<Scene> on_its_lattice;
-    if (scene.past) on_its_lattice = on_lattice(scene, scene.past->levels[level]);
-    const Scene& here = scene.past ? *on_its_lattice : scene;
-    const PatchSearch here_area(here, detail_for(scene));
     const contact::LevelResult* start =
         levels.fine && is_a_start(scene, cells[level - 1], last) ? &*levels.fine : nullptr;
-    if (last)
-      levels.push(
-          solve_level(here, here_area, cell.dx, cell.dy, start,
-                      scene.accuracy.relative ? fmt::format("{} across: ", cell.across) : "",
-                      progress, checkpoint, elasticity));
-    else
-      levels.push(coarser_level(here, here_area, cell, start,
-                                !is_a_start(scene, cell, level + 2 == cells.size()), progress,
-                                elasticity));
-    if (scene.past)
+    const auto solved = [&](const Scene& here, const PatchSearch& around) {
+      return level_of(here, around, cells, level, start, progress, checkpoint, elasticity);
+    };
+    if (scene.past) {
+      const Scene here = on_lattice(scene, scene.past->levels[level]);
+      levels.push(solved(here, PatchSearch(here, detail_for(here))));
       scene.past->left->push_back(levels.fine ? left_by(*levels.fine) : contact::PastPatch());
+    } else {
+      levels.push(solved(scene, area));
+    }
     if (!levels.fine) continue;
     add_seconds(*levels.fine, result);
     if (!last) continue;

@@ -137,15 +137,14 @@ class WheelHistory {
       take(
           track::on_moved_rail(here, run_.placed.search, static_cast<int>(step_) + 1, at).balanced);
     };
-    rail_ = track::settled_rail(
-        here.track, rail_, here.load.vertical_force.has_value(), [&](const track::RailVector& at) {
-          place(at);
-          track::RailVector force{};
-          for (const ModelResult& result : solve(true))
-            track::add_force_on_rail(*result.place, result.points.front().normal_force,
-                                     result.points.front().lateral_force, force);
-          return force;
-        });
+    rail_ = track::settled_rail(here, rail_, [&](const track::RailVector& at) {
+      place(at);
+      track::RailVector force{};
+      for (const ModelResult& result : solve(true))
+        track::add_force_on_rail(*result.place, result.points.front().normal_force,
+                                 result.points.front().lateral_force, force);
+      return force;
+    });
     place(rail_);
   }
 
@@ -469,7 +468,7 @@ double find_rotation(const Run& run, const std::vector<WheelHistory*>& wheels, s
 std::vector<ModelResult> solve_history(const Case& input, const track::PlacedWheels& placed,
                                        const std::string& model, const Scenes& scenes,
                                        const Solving& how) {
-  if (how.models->find(model)->choosable != contact::Choosable::half_spaces)
+  if (!how.models->at(model).joins_planes)
     throw contact::InputError(
         {input.file},
         "model {}: the positions of this wheel are the steps of a history, in which the contact "

@@ -15,28 +15,38 @@ namespace rollfem::track {
 namespace {
 
 /// mm
-constexpr double first_step = 0.05, farthest_start = 2.0, largest = 100.0, tolerance = 1e-6;
+constexpr double first_step = 0.05, largest = 100.0, tolerance = 1e-6;
+constexpr double too_much = 1e9, at_rest = 20.0;  // N
 constexpr int elements_across = 24;
 
-/// Zero of a function that grows, near `start`. Where the bodies overlap too much to be solved
-/// there, the rail has given way further.
-double settled(const std::function<double(double)>& left, double start, const char* what) {
-  double at_start = 0.0;
-  for (double step = first_step;; step *= 2.0) try {
-      at_start = left(start);
-      break;
+/// Zero of the force of the springs, with what else is on the rail, over its place. Where the
+/// bodies overlap too much to be solved, they press it away with more than any spring carries:
+/// `away` is the sign of the way out.
+double settled(const std::function<double(double)>& left, double start, double away,
+               const char* what) {
+  const auto at = [&](double place) {
+    try {
+      return left(place);
     } catch (const contact::Failure&) {
-      if (step > farthest_start) throw;
-      start += step;
+      return -away * too_much;
     }
+  };
+  const double at_start = at(start);
   const auto found =
-      contact::root_from(left, start, at_start, start + (at_start > 0.0 ? -first_step : first_step),
+      contact::root_from(at, start, at_start, start + (at_start > 0.0 ? -first_step : first_step),
                          largest, tolerance, what);
   if (!found)
     throw contact::SolveError(
         fmt::format("{}: the springs do not hold the rail within {:g} mm; do: check "
                     "track.rail_stiffness and track.rail_force",
                     what, largest));
+  // Where the force jumps, or beyond what can be solved, nothing balances.
+  const double rest = left(*found);
+  if (!(std::abs(rest) <= at_rest))
+    throw contact::SolveError(fmt::format(
+        "{}: at {:.6g} mm the force of the wheel jumps, or the overlap cannot be solved "
+        "beyond it; {:.4g} N are left",
+        what, *found, rest));
   return *found;
 }
 
@@ -56,10 +66,12 @@ WheelOnRail on_moved_rail(const contact::Case& here, const SearchScene& search, 
   return wheel;
 }
 
-RailVector settled_rail(const contact::Track& track, RailVector start, bool carried,
+RailVector settled_rail(const contact::Case& input, RailVector start,
                         const std::function<RailVector(const RailVector&)>& force) {
-  const auto& [stiff_y, stiff_z] = *track.rail_stiffness;
-  const auto& [own_y, own_z] = track.rail_force;
+  const auto& [stiff_y, stiff_z] = *input.track.rail_stiffness;
+  const auto& [own_y, own_z] = input.track.rail_force;
+  const bool carried = input.load.vertical_force.has_value();
+  const double outward = side_sign(input.wheelset.side == contact::WheelSide::left);
   RailVector moved = start, found{};
   const auto down = [&](double z) {
     moved[1] = z;
@@ -72,11 +84,11 @@ RailVector settled_rail(const contact::Track& track, RailVector start, bool carr
       found = force(moved);
       moved[1] = (found[1] + own_z) / stiff_z;
     } else {
-      moved[1] = settled(down, moved[1], "the height of the rail on springs");
+      moved[1] = settled(down, moved[1], 1.0, "the height of the rail on springs");
     }
     return stiff_y * y - found[0] - own_y;
   };
-  moved[0] = settled(aside, start[0], "the lateral place of the rail on springs");
+  moved[0] = settled(aside, start[0], outward, "the lateral place of the rail on springs");
   return moved;
 }
 
@@ -98,7 +110,7 @@ WheelOnRail on_springs(const contact::Case& here, const SearchScene& search, int
     }
     return sum;
   };
-  moved = settled_rail(here.track, moved, here.load.vertical_force.has_value(), force);
+  moved = settled_rail(here, moved, force);
   return on_moved_rail(here, search, position, moved);
 }
 

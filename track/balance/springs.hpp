@@ -25,9 +25,8 @@ WheelOnRail on_moved_rail(const contact::Case& here, const SearchScene& search, 
                           const RailVector& moved);
 
 /// Where the springs k d = F(d) + F_0 of Track::rail_stiffness hold the rail under the force F of
-/// its wheel. `carried`: the wheel has a given vertical force, which does not depend on d. Throws
-/// contact::SolveError when there is no such place within 100 mm.
-RailVector settled_rail(const contact::Track& track, RailVector start, bool carried,
+/// its wheel. Throws contact::SolveError when there is no such place within 100 mm.
+RailVector settled_rail(const contact::Case& here, RailVector start,
                         const std::function<RailVector(const RailVector&)>& force);
 
 /// The force on the rail by contacts of these normal and lateral forces, N.

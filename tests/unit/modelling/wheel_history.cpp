@@ -184,6 +184,26 @@ TEST_F(WheelHistory, TransmitsTheForceThatIsAsked) {
   EXPECT_GT(step_of(rolled, 0).creepage.longitudinal, 3.0 * wanted);
 }
 
+/// k d = F + F_0, with the friction of each step; a steady wheel on the same springs carries the
+/// same.
+TEST_F(WheelHistory, SpringsCarryTheRail) {
+  const Changes springs{"track.rail_stiffness=[2e4, 5e4]", "track.rail_force=[3e3, 0.0]"};
+  for (const auto& found : {solve(springs), solve(steps(3, "1.0", springs))}) {
+    const contact::ModelResult& last = found.models.back();
+    const auto note = std::find_if(last.notes.begin(), last.notes.end(),
+                                   [](const auto& one) { return one.about == "rail_springs"; });
+    ASSERT_NE(note, last.notes.end());
+    const std::string text = note->text;
+    const double aside = std::stod(text.substr(text.find("moved by ") + 9));
+    const double down = std::stod(text.substr(text.find("right and ") + 10));
+    const contact::PointResult& point = last.points.front();
+    EXPECT_NEAR(5e4 * down, *point.vertical_force, 20.0);
+    // In steady rolling with friction on 24 elements across.
+    EXPECT_NEAR(2e4 * aside - 3e3, -*point.lateral_force_track,
+                found.models.size() > 1 ? 20.0 : 300.0);
+  }
+}
+
 TEST_F(WheelHistory, TimeAndPlaceSayHowFarItRolls) {
   const Changes placed{"rolling.problem=transient", "wheelset.track_position=[5.0, 6.0, 8.0]"};
   const Changes timed{"rolling.problem=transient", "wheelset.yaw=[0.0, 0.0, 0.0]",
