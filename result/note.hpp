@@ -24,9 +24,7 @@ struct Note {
   std::string text;
   Severity severity = remark;
 
-  friend constexpr const char* word_of(Severity of) {
-    return of == warning ? "warning" : "remark";
-  }
+  friend constexpr const char* word_of(Severity of) { return of == warning ? "warning" : "remark"; }
 
   static constexpr Listed listed = Listed::as_table;
   static constexpr auto members() {

@@ -211,8 +211,7 @@ std::vector<Quantity> of_the_heat() {
   return {
       {"max_temperature", "largest temperature", "T", "degC",
        "largest temperature in contact, of both surfaces, with `[wheel_heat]` or `[rail_heat]`",
-       Scale::value,
-       Use::stored, at<&P::max_temperature>()},
+       Scale::value, Use::stored, at<&P::max_temperature>()},
       {"max_temperature_x", "x of the largest temperature", "", "mm",
        "x of the element that has it", Scale::none, Use::stored, at<&P::max_temperature_x>(),
        NoBar::one_grid},
@@ -268,8 +267,8 @@ std::string cell(const std::string& text) {
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all = [] {
     std::vector<Quantity> list;
-    for (const auto& part :
-         {of_the_motion(), of_the_forces(), of_the_patch(), of_the_solution(), of_the_heat(), of_the_passes()})
+    for (const auto& part : {of_the_motion(), of_the_forces(), of_the_patch(), of_the_solution(),
+                             of_the_heat(), of_the_passes()})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();

@@ -206,8 +206,8 @@ contact::ModelInfo hertz_model() {
       theory("hertz", "Hertz", "elliptic patch and pressure in closed form, without friction",
              {Demand::line_contact, Demand::history, Demand::tangential_force, Demand::profiles,
               Demand::sections, Demand::lateral_creepage, Demand::spin, Demand::extra_slip,
-              Demand::extra_slip_on_profiles, Demand::falling_friction, Demand::heated_friction, Demand::varying_friction,
-              Demand::layer, Demand::plastic_layer},
+              Demand::extra_slip_on_profiles, Demand::falling_friction, Demand::heated_friction,
+              Demand::varying_friction, Demand::layer, Demand::plastic_layer},
              [](const contact::Scene& scene, const contact::Progress& progress) {
                return scene.has_profiles() ? run_hertz_of_patch(scene, progress)
                                            : run_hertz(scene, progress);

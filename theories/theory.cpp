@@ -5,8 +5,8 @@
 #include "halfspace/patch/patch_search.hpp"
 #include "result/bars.hpp"
 #include "result/derived.hpp"
-#include "result/quantities.hpp"
 #include "result/heat/temperature.hpp"
+#include "result/quantities.hpp"
 #include "theories/equivalent_ellipse.hpp"
 
 #include <cmath>

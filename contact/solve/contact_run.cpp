@@ -8,8 +8,8 @@
 #include "contact/solve/state_record.hpp"
 #include "result/derived.hpp"
 #include "result/free_ends.hpp"
-#include "result/quantities.hpp"
 #include "result/heat/temperature.hpp"
+#include "result/quantities.hpp"
 #include "result/validity.hpp"
 
 #include <fmt/format.h>

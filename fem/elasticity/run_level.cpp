@@ -22,8 +22,8 @@
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/patch/coverage.hpp"
 #include "result/derived.hpp"
-#include "result/record.hpp"
 #include "result/heat/temperature.hpp"
+#include "result/record.hpp"
 #include "scene/geometry.hpp"
 
 #include <deal.II/base/mpi.h>

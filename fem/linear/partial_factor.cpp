@@ -71,7 +71,7 @@ __attribute__((always_inline)) inline void forward(const Trapezoid& l, float* y)
       const auto of = [](const float* at) { return reinterpret_cast<const Run*>(at); };
       for (; i + run <= l.height; i += run)
         *reinterpret_cast<Run*>(y + i) -= *of(a + i) * y[j] + *of(b + i) * y[j + 1] +
-                                            *of(c + i) * y[j + 2] + *of(d + i) * y[j + 3];
+                                          *of(c + i) * y[j + 2] + *of(d + i) * y[j + 3];
     }
     for (; i < l.height; ++i)
       for (int c = j; c < end; ++c) y[i] -= l.column(c)[i] * y[c];

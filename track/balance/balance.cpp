@@ -148,8 +148,7 @@ PlacedWheels place_for_balance(const Case& input) {
   PlacedWheels placed;
   placed.search = search_scene_of(input);
   // Where springs hold the rail is found in the balance.
-  if (!input.track.rail_stiffness)
-    placed.scenes = make_scenes(all_sides, placed.search, options);
+  if (!input.track.rail_stiffness) placed.scenes = make_scenes(all_sides, placed.search, options);
   return placed;
 }
 
@@ -188,8 +187,7 @@ BalancedCase balance(const Case& input, const PlacedWheels& placed,
       });
       at.here = std::move(wheel.placed);
       at.patches = std::move(wheel.balanced);
-      if (!input.is_wheel_history())
-        at.notes.push_back({"rail_springs", springs_text(moved)});
+      if (!input.is_wheel_history()) at.notes.push_back({"rail_springs", springs_text(moved)});
     } else {
       at.patches = kept_or_balanced(input, position, at.here, kept);
     }
