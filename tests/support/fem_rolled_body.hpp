@@ -91,6 +91,7 @@ class Passes {
   /// Largest increase of the accumulated plastic strain of any streamline during one more pass.
   double next() {
     const auto before = state.leaving;
+    solver.steps.restart();
     report = fem::steady_pass(of.lines, law, solver, elastic, accuracy, state);
     double increase = 0.0;
     for (std::size_t k = 0; k < before.size(); ++k)
