@@ -64,14 +64,17 @@ Slowness blas_slowdown() {
 constexpr double coarse_unknowns_of_section = 120e3;
 constexpr double multigrid_iterations = 10.0;
 
-/// Largest memory of a factor, bytes; multigrid needs a tenth.
-constexpr double largest_factor = 5e9;
+/// Largest memory of a factor, bytes; multigrid needs a tenth. Passes need so many solves that
+/// CHOLMOD's indices of 32 bits limit theirs, and the memory of the machine.
+constexpr double largest_factor = 5e9, largest_factor_of_passes = 16e9;
 
 /// FE solves of a body per load point and for the normal problem: case a takes 13 for its seven
 /// points and 4.
 constexpr double solves_per_point = 2.0;
 constexpr double solves_for_normal = 4.0;
 constexpr double solves_per_pass = 60.0;
+/// Time of these relative to solves with the whole factor, most of them by part of it.
+constexpr double part_in_passes = 0.5;
 
 /// Geometric multigrid factorises the coarse mesh of a body; a given mesh may be too large for
 /// that, and algebraic multigrid then coarsens further. A factor of this many unknowns takes 14 s
@@ -124,15 +127,17 @@ bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
       return true;  // multigrid rejects it
   const double solves = solves_for_normal + (scene.yields() ? solves_per_pass : solves_per_point) *
                                                 static_cast<double>(scene.points.size());
+  const double weight = scene.yields() ? part_in_passes : 1.0;
+  const double largest = scene.yields() ? largest_factor_of_passes : largest_factor;
   const Slowness slow = blas_slowdown();
   const double coarse =
       has_true_sections(scene)
           ? multigrid_iterations * slow.solve * factor_solve_seconds(coarse_unknowns_of_section)
           : 0.0;
   for (const double n : demand.unknowns)
-    if (predicted_factor_bytes(n) >= largest_factor ||
+    if (predicted_factor_bytes(n) >= largest ||
         factorisation_seconds(n) + slow.more * std::pow(n / 105e3, 2.0) +
-                solves * slow.solve * factor_solve_seconds(n) >
+                weight * solves * slow.solve * factor_solve_seconds(n) >
             multigrid_setup_seconds(n) + solves * (multigrid_solve_seconds(n) + coarse))
       return false;
   demand.factorisation = true;
