@@ -128,7 +128,9 @@ class YieldingBody {
     next.leaving = before_.leaving;
     next.strain = before_.strain;
     PassAccuracy accuracy;
-    accuracy.whole_body = counts;
+    // A step that takes the load away is judged on the whole grid, and steps differ more.
+    accuracy.whole_body = counts || now_.pressed();
+    if (now_.pressed()) solver_.steps.restart();
     accuracy.residual = counts ? tight_residual
                                : std::clamp(part_of_change * relative_change(strain, last_strain_),
                                             loose_residual, loosest_residual);
