@@ -159,8 +159,10 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
 }  // namespace
 
 double default_cell_size(const Scene& scene) {
-  const auto& given = options_of(scene).cell_size;
-  return given ? *given : expected_box(scene).smaller() / 8.0;
+  const FemOptions& options = options_of(scene);
+  // A larger region that yields has larger cells, so that it costs about as much.
+  const double larger = scene.yields() ? std::max(1.0, options.plastic_extent) : 1.0;
+  return options.cell_size ? *options.cell_size : larger * expected_box(scene).smaller() / 8.0;
 }
 
 RunLayout run_layout(const Scene& scene, double cell) {

@@ -116,9 +116,11 @@ void add_passes(FemKeys& keys) {
       "Each pass (cycle of load points) starts from a state extrapolated from those before, so "
       "that the state that repeats is reached in about half the passes; plastic strain is then "
       "that of no number of passes, only its increments count.");
-  keys.add("plastic_extent", &FemOptions::plastic_extent, between(0.5, 10.0),
-           "Extent of the region that may yield, relative to the usual one (as deep as "
-           "elastic stress exceeds the yield stress); it grows where steel yields at its border.");
+  keys.add(
+      "plastic_extent", &FemOptions::plastic_extent, between(0.5, 10.0),
+      "Extent of the region that may yield, relative to the usual one (as deep as "
+      "elastic stress exceeds the yield stress); it grows where steel yields at its border. The "
+      "default cell_size grows with it.");
   keys.add("surface_layer", &FemOptions::surface_layer, unit("mm"), contact::zero_or(1e-4, 1e3),
            otherwise("chosen"),
            "Height of the cells at the surface of a body that yields; rows below grow to the cell "
