@@ -185,9 +185,11 @@ void set_pass_bars(const std::vector<PointResult>& coarse, std::vector<PointResu
     }
     for (const std::string name : pass_quantities) {
       if (!contact::quantity_named(name).value(fine[k])) continue;
-      // Steel that has flowed more is under more stress.
-      const double of_strain =
-          (name == "residual_stress" ? 1.0 : least) * largest["plastic_strain"];
+      // Steel that has flowed more is under more stress, and what lasts of the strain of a pass is
+      // not better known than all of it.
+      double of_strain = (name == "residual_stress" ? 1.0 : least) * largest["plastic_strain"];
+      if (name == "net_plastic_increment")
+        of_strain = std::max(of_strain, largest["plastic_increment"]);
       const double part = std::max(largest[name], of_strain);
       if (part > unresolved)
         fine[k].no_bar[name] = contact::NoBar::not_resolved;
