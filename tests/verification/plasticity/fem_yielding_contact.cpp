@@ -5,6 +5,7 @@
 #include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/fem_options.hpp"
+#include "fem/mesh/run_layout.hpp"
 
 #include "support/equal_balls.hpp"
 
@@ -89,6 +90,15 @@ TEST(FemYieldingContact, GrowsWhereSteelYieldsAtTheBorderOfTheStreamlines) {
   const PointResult at_once = fem::run_fem(input, {}, nullptr).points.front();
   EXPECT_EQ(grown.points.front().max_pressure, at_once.max_pressure);
   EXPECT_EQ(grown.points.front().plastic_strain.value(), at_once.plastic_strain.value());
+}
+
+TEST(FemYieldingContact, DefaultCellsGrowWithTheRegionThatYields) {
+  Case input = equal_discs(pressure, 1);
+  input.rail.plasticity = steel(520.0, 20e3);
+  input.options.set<fem::FemOptions>().cell_size.reset();
+  const double usual = fem::default_cell_size(input);
+  input.options.set<fem::FemOptions>().plastic_extent = 1.5;
+  EXPECT_DOUBLE_EQ(fem::default_cell_size(input), 1.5 * usual);
 }
 
 TEST(FemYieldingContact, CellsThatGiveTooFewElementsAreRefusedBeforeTheBodiesAreMeshed) {
