@@ -115,10 +115,11 @@ class YieldingBody {
         now_(before_) {
     for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream)
       initial_.push_back(initial_strain(law_, streamlines_.section(stream)[1]));
-    if (pressed)
-      now_ = before_ =
-          before_first_step(streamlines_, body,
-                            with_initial(std::vector<Deviator>(streamlines_.points(), Deviator{})));
+    if (!pressed) return;
+    // Without load the contact is judged on the whole grid.
+    solver_.in_part.reset();
+    now_ = before_ = before_first_step(
+        streamlines_, body, with_initial(std::vector<Deviator>(streamlines_.points(), Deviator{})));
   }
 
   /// Solves the pass in question anew, from its last solution.
@@ -128,9 +129,8 @@ class YieldingBody {
     next.leaving = before_.leaving;
     next.strain = before_.strain;
     PassAccuracy accuracy;
-    // A step that takes the load away is judged on the whole grid, and steps differ more.
-    accuracy.whole_body = counts || now_.pressed();
-    if (now_.pressed()) solver_.steps.restart();
+    accuracy.whole_body = counts;
+    if (now_.pressed()) solver_.steps.restart();  // steps of pressing differ more
     accuracy.residual = counts ? tight_residual
                                : std::clamp(part_of_change * relative_change(strain, last_strain_),
                                             loose_residual, loosest_residual);
