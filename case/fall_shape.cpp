@@ -16,15 +16,15 @@ const FallShape FallShape::linear{"linear", [](std::size_t, double s, const Cons
 
 const FallShape FallShape::rational{
     "rational", [](std::size_t i, double s, const Constants&) {
-      const double left = i == 0 ? 1.0 / (1.0 + s) : 1.0 / (1.0 + s * s);
-      return Left{left, i == 0 ? -left * left : -2.0 * s * left * left};
+      const double part = i == 0 ? 1.0 / (1.0 + s) : 1.0 / (1.0 + s * s);
+      return Left{part, i == 0 ? -part * part : -2.0 * s * part * part};
     }};
 
 const FallShape FallShape::exponential{"exponential",
                                        [](std::size_t, double s, const Constants&) {
                                          const double rate = std::log(2.0);
-                                         const double left = std::exp(-rate * s);
-                                         return Left{left, -rate * left};
+                                         const double part = std::exp(-rate * s);
+                                         return Left{part, -rate * part};
                                        },
                                        true};
 

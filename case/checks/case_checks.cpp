@@ -49,11 +49,6 @@ void check_required(const GivenCase& given) {
   }
 }
 
-std::size_t length_of(const KeyValue& value) {
-  const auto* list = std::get_if<std::vector<double>>(&value);
-  return list != nullptr ? list->size() : static_cast<std::size_t>(std::get<double>(value));
-}
-
 /// Lists with the same `per` are as long as the one that counts them, otherwise as the first; a
 /// single number is that of all.
 void check_list_lengths(const GivenCase& given) {
@@ -341,6 +336,11 @@ void check_plasticity(const GivenCase& given, const char* body, const BodyPlasti
 }
 
 }  // namespace
+
+std::size_t length_of(const KeyValue& value) {
+  const auto* list = std::get_if<std::vector<double>>(&value);
+  return list != nullptr ? list->size() : static_cast<std::size_t>(std::get<double>(value));
+}
 
 const GivenValue* GivenCase::find(const std::string& section, const std::string& name) const {
   const auto found = values.find(find_key(section, name));

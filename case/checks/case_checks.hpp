@@ -58,6 +58,9 @@ struct CaseProblem {
 /// The value of a word, or its default.
 std::string word_of(const GivenCase& given, const char* section, const char* name);
 
+/// Of a list; or the number itself, which counts.
+std::size_t length_of(const KeyValue& value);
+
 /// Missing and contradictory keys, lists of different lengths. Throws InputError.
 void check_together(const GivenCase& given);
 

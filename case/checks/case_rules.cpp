@@ -387,8 +387,8 @@ const Given* find_match(const GivenCase& given, const char* pattern,
 
 std::string falling_laws() {
   std::vector<std::string> words;
-  for (const FallShape& shape : fall_shapes())
-    if (shape != FallShape::none && !shape.by_temperature) words.emplace_back(shape.word);
+  for (const FallShape& law : fall_shapes())
+    if (law != FallShape::none && !law.by_temperature) words.emplace_back(law.word);
   return joined(words);
 }
 
@@ -415,13 +415,13 @@ void check_rivals(const GivenCase& given, const Rivals& rule) {
 /// The constants of a law have no meaning for another one.
 void check_constants(const GivenCase& given) {
   const std::string law = word_of(given, "friction", "law");
-  for (const FallShape& shape : fall_shapes())
-    for (const FallShape::Constant& own : shape.constants) {
-      if (own.name == nullptr || law == shape.word) continue;
+  for (const FallShape& one : fall_shapes())
+    for (const FallShape::Constant& own : one.constants) {
+      if (own.name == nullptr || law == one.word) continue;
       if (given.find("friction", own.name) != nullptr)
         fail_at(given, std::string("friction.") + own.name,
-                fmt::format("is of the law {}, but friction.law is {}", shape.word, law),
-                fmt::format("with law = \"{}\"", shape.word), "remove it, or choose that law");
+                fmt::format("is of the law {}, but friction.law is {}", one.word, law),
+                fmt::format("with law = \"{}\"", one.word), "remove it, or choose that law");
     }
 }
 
