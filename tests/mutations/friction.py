@@ -5,7 +5,7 @@ from mutation import Mutation
 
 FRICTION = [
     Mutation("fall_of_friction", "case/fall_shape.cpp",
-             "return Left{left, -rate * left};", "return Left{left, -left};",
+             "return Left{part, -rate * part};", "return Left{part, -part};",
              "Newton's method takes another slope than the exponential law has",
              ("unit_friction_law",)),
     Mutation("memory_of_friction", "contact/iteration/friction_state.cpp",
