@@ -121,6 +121,7 @@ class Loaded:
         """`source`: tractions, bodies or corrected (_core.models_with_stress)."""
         self.result, self.model, self.number, self.source = result, model, number, source
         self.point = model.points[number]
+        self._heated: dict[str, HeatedBody] = {}
         # Perhaps without ends.
         self.line_reference = _core.line_reference(self._case()) if len(model.y) == 1 and result.case_text else 0.0
         self.element = model.dx if self.line_reference else max(model.dx, model.dy)
@@ -142,9 +143,9 @@ class Loaded:
     def heated(self, body: str) -> HeatedBody | None:
         """The heat below the surface of a body; None without it."""
         surface = self.point.fields.get(f"temperature_{body}")
-        if surface is None:
-            return None
-        return HeatedBody(_core.heated_body(self._case(), body == "wheel"), self._material(body), self.model, surface)
+        if surface is not None and body not in self._heated:
+            self._heated[body] = HeatedBody(_core.heated_body(self._case(), body == "wheel"), self._material(body), self.model, surface)
+        return self._heated.get(body)
 
     def has(self, body: str) -> bool:
         """Whether a body has stress: finite elements store elastic bodies alone."""
@@ -174,8 +175,8 @@ class Loaded:
 
     def heated_range(self, k: float) -> float | None:
         """Change of the surface's stress at the hottest place while it passes through the contact, over that which stays elastic with
-        any residual stress, 2 sqrt(3) k (Melan's theorem for two instants); of the body with the larger. None without heat."""
-        if "temperature_rail" not in self.point.fields or self.source != "tractions":
+        any residual stress, 2 sqrt(3) k (Melan's theorem for two instants); of the body with the larger. None where stress does not come from the tractions."""
+        if self.source != "tractions":
             return None
         place = np.array([[*self.hottest(), 0.0]])
         found = []
@@ -397,7 +398,7 @@ def _in_map(at: Loaded, ellipse: Ellipse, k: float, known: Mapping[int, Sequence
         maxima = known.get(number, point.stress_maxima)
         ratio = _yield_ratio(maxima, k) if maxima else None
         elastic = factor <= min(line.elastic, circle.elastic) if ratio is None else ratio < 1
-        heated = Loaded(at.result, model, number, at.source).heated_range(k)
+        heated = Loaded(at.result, model, number, at.source).heated_range(k) if "temperature_rail" in point.fields else None
         found.append({
             "point": number + 1, "longitudinal_creepage": creepage, "tangential_coefficient": traction,
             "load_factor": factor, "max_traction_over_k": shear / k,
