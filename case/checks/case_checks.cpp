@@ -208,8 +208,8 @@ void check_fall_of(const GivenCase& given, double mu, const FrictionFall& fall) 
             fmt::format("0 to {:g}", mu - kinetic), "make it a part of that fall");
 }
 
-void check_temperatures_of(const GivenCase& given, const FrictionFall& fall) {
-  const double cold = fall.constants[0].value_or(fall.shape.constants[0].otherwise);
+void check_temperatures_of(const GivenCase& given, const FallShape& law, const FrictionFall& fall) {
+  const double cold = fall.constants[0].value_or(law.constants[0].otherwise);
   if (!(*fall.constants[1] > cold))
     fail_at(given, "friction.hot_temperature", "is not above friction.cold_temperature",
             fmt::format("above {:g} degC", cold), "give the higher temperature here");
@@ -217,21 +217,28 @@ void check_temperatures_of(const GivenCase& given, const FrictionFall& fall) {
 
 void check_fall(const GivenCase& given, const Case& input) {
   if (input.friction_fall.shape == FallShape::none || input.friction_coefficient == 0.0) return;
-  if (input.friction_fall.shape.by_temperature) {
-    check_temperatures_of(given, input.friction_fall);
-    for (const FrictionVariation::Point& point : input.friction_variation.points)
-      check_temperatures_of(given, point.fall);
-    return;
-  }
+  const FallShape& law = input.friction_fall.shape;
+  const auto check = [&](double mu, const FrictionFall& fall) {
+    return law.by_temperature ? check_temperatures_of(given, law, fall)
+                              : check_fall_of(given, mu, fall);
+  };
   if (input.friction_variation.points.empty())
-    check_fall_of(given, input.friction_coefficient, input.friction_fall);
+    check(input.friction_coefficient, input.friction_fall);
   for (const FrictionVariation::Point& point : input.friction_variation.points)
-    check_fall_of(given, point.coefficient, point.fall);
+    check(point.coefficient, point.fall);
   if (input.rolling.problem == Problem::shift || input.rolling.problem == Problem::frictionless ||
       input.rolling.speed > 0.0)
     return;
   fail_at(given, "rolling.speed", "leaves the friction at rest, although friction.law is given",
           "above 0 mm/s", "give the rolling speed, or write `law = \"constant\"` under [friction]");
+}
+
+void check_heat(const GivenCase& given, const Case& input) {
+  if ((input.wheel.heat || input.rail.heat) && !(input.rolling.speed > 0.0))
+    fail_at(given, "rolling.speed",
+            "gives the surfaces no temperature, which [wheel_heat] and "
+            "[rail_heat] ask for",
+            "above 0 mm/s", "give the rolling speed, or remove these sections");
 }
 
 void check_friction_limit(const GivenCase& given, const Case& input) {
@@ -550,6 +557,7 @@ void check_values(const GivenCase& given, const Case& input) {
   check_rigid(given, input);
   check_friction(given, input);
   check_fall(given, input);
+  check_heat(given, input);
   check_friction_limit(given, input);
   check_places(given, input);
 }

@@ -28,6 +28,10 @@ constexpr const char* elastic = "a body with a finite young_modulus";
 constexpr const char* make_elastic = "remove it, or give a finite young_modulus";
 constexpr const char* rollers = "line contact of rollers, rolling straight ahead";
 
+constexpr const char* of_falling =
+    "is of friction that falls with the slip velocity, but friction.law is {law}";
+constexpr const char* make_falling = "write `law = \"exponential\"` under [friction], or remove it";
+
 constexpr const char* shape = "either a profile or what replaces the shapes, not both";
 constexpr const char* along_x = ", which also determines the creepage along x";
 constexpr const char* one_along_x =
@@ -238,14 +242,14 @@ const std::vector<Exclusion> exclusions{
     {!when::friction_falls,
      {"friction.kinetic_coefficient", "friction.half_velocity", "friction.second_*",
       "friction.polach_*"},
-     "is of friction that falls with the slip velocity, but friction.law is {law}",
+     of_falling,
      "with the laws {laws}",
-     "write `law = \"exponential\"` under [friction], or remove it"},
+     make_falling},
     {!when::friction_falls && !when::by_temperature,
      {"friction.memory_*", "friction.branch"},
-     "is of friction that falls with the slip velocity, but friction.law is {law}",
+     of_falling,
      "with the laws {laws}",
-     "write `law = \"exponential\"` under [friction], or remove it"},
+     make_falling},
     {when::by_temperature,
      {"layer.yield_stress"},
      "is not combined with friction that follows the temperature",
