@@ -175,7 +175,8 @@ class Loaded:
 
     def heated_range(self, k: float) -> float | None:
         """Change of the surface's stress at the hottest place while it passes through the contact, over that which stays elastic with
-        any residual stress, 2 sqrt(3) k (Melan's theorem for two instants); of the body with the larger. None where stress does not come from the tractions."""
+        any residual stress, 2 sqrt(3) k (Melan's theorem for two instants); of the body with the larger. None where
+        stress does not come from the tractions."""
         if self.source != "tractions":
             return None
         place = np.array([[*self.hottest(), 0.0]])
