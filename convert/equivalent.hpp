@@ -11,6 +11,7 @@
 #include "convert/contact_case.hpp"
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,6 +90,9 @@ bool is_simplified(const Digits& digits);
 
 /// Whether CHI turns the axes of module 3 by half a turn.
 bool rolls_backwards(const ContactCase& given);
+
+/// A, B (1/mm) and semi-axes (mm) of a contact by IPOTCN = -1 to -3; none: of another kind.
+std::optional<std::array<double, 4>> ellipse_of_case(const ContactCase& given);
 
 /// Of the wheelset over the track, or of the surface of rollers, mm/s: module 1.
 double forward_speed(const ContactCase& given);

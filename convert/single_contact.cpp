@@ -355,6 +355,15 @@ void fill_motion(const ContactCase& given, double modulus, double sign, Equivale
 
 }  // namespace
 
+std::optional<std::array<double, 4>> ellipse_of_case(const ContactCase& given) {
+  if (given.potential.ipotcn >= 0 || given.potential.ipotcn < -3) return {};
+  const double modulus =
+      contact::combine(material(given.bodies, 0), material(given.bodies, 1)).contact_modulus;
+  const Ellipse found = ellipse_of(given, modulus);
+  return std::array{found.curvatures.A, found.curvatures.B, found.hertz.semi_axis_x,
+                    found.hertz.semi_axis_y};
+}
+
 void fill_single_contact(const ContactCase& given, Equivalent& made) {
   judge_values(given, made);
   if (!made.impossible.empty()) return;
