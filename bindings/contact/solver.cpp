@@ -109,8 +109,8 @@ std::vector<Patch> Solver::solve(const convert::ContactCase& given, const Profil
 void Solver::set_case(Equivalent made, const ProfileTexts& texts) {
   theories::models();  // declare their keys
   halfspace::models();
-  const bool steps = made.history() || !made.fixed["rail"].empty();
-  if (made_ && !steps && same_settings(*made_, made)) {
+  const bool whole = made.history() || made.fixed.count("wheelset") > 0;
+  if (made_ && !whole && same_settings(*made_, made)) {
     std::vector<convert::Point> values{made.varied};
     convert::remove_unused_values(values);
     for (const auto& [path, value] : values.front()) set_value(path, value, input_);
