@@ -69,15 +69,15 @@ void Library::end_all() {
   const std::lock_guard<std::mutex> lock(mutex_);
   elements_.clear();
   log_.reset();
-  opened_ = false;
   debug_ = threads_ = 1;
 }
 
 void Library::log(const std::string& line) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (debug_ <= 0) return;
-  if (!std::exchange(opened_, true))
-    log_.reset(std::fopen((fs::path(log_folder_) / "contact_addon.out").c_str(), "w"));
+  if (!log_)
+    log_.reset(std::fopen((fs::path(log_folder_) / "contact_addon.out").c_str(),
+                          std::exchange(logged_, true) ? "a" : "w"));
   if (log_) {
     std::fprintf(log_.get(), "%s\n", line.c_str());
     std::fflush(log_.get());

@@ -55,7 +55,7 @@ class Library {
   std::map<int, std::shared_ptr<Element>> elements_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> log_{nullptr, &std::fclose};
   std::string work_folder_, log_folder_;
-  bool opened_ = false, screen_ = false;
+  bool logged_ = false, screen_ = false;
   int debug_ = 1, threads_ = 1;
 };
 
