@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "convert/equivalent.hpp"
+#include "convert/equivalent_case.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "case/case.hpp"
+#include "case/keys/case_text.hpp"
 
 #include <fmt/format.h>
 
@@ -315,6 +316,17 @@ bool rolls_backwards(const ContactCase& given) {
 
 double in_mm(double place) {
   return std::round(place * 1e10) / 1e10;
+}
+
+std::string Setting::line() const {
+  std::string text = key + " = ";
+  if (const auto* number = std::get_if<double>(&value))
+    text += fmt::format("{:.12g}", *number);
+  else if (const auto* list = std::get_if<std::vector<double>>(&value))
+    text += fmt::format("[{:.12g}]", fmt::join(*list, ", "));
+  else
+    text += contact::toml_text(value);
+  return comment.empty() ? text : fmt::format("{:<30} # {}", text, comment);
 }
 
 void fill_bodies(const ContactCase& given, const std::array<const char*, 2>& sections,

@@ -77,14 +77,6 @@ struct Equivalent {
 /// are relative; empty: the same folder.
 Equivalent equivalent_of(const ContactCase& given, const std::string& profile_folder);
 
-/// Removes the forces where none is prescribed, and the motion where forces are prescribed in all
-/// points.
-void remove_unused_values(std::vector<Point>& points);
-
-/// The case of one load point, without a file; `name` represents it in messages. Throws
-/// contact::InputError where values are out of bounds.
-contact::Case case_of(const Equivalent& made, const std::string& name);
-
 /// FASTSIM and FaStrip.
 bool is_simplified(const Digits& digits);
 

@@ -1,29 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The settings of an equivalent: as lines of a case file, and as a case without one.
-#include "case/keys/case_text.hpp"
+#include "convert/equivalent_case.hpp"
+
 #include "case/reading/case_reader.hpp"
 
-#include <fmt/format.h>
-
-#include "convert/equivalent.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <variant>
 
 namespace rollfem::convert {
-
-using contact::KeyValue;
-
-std::string Setting::line() const {
-  std::string text = key + " = ";
-  if (const auto* number = std::get_if<double>(&value))
-    text += fmt::format("{:.12g}", *number);
-  else if (const auto* list = std::get_if<std::vector<double>>(&value))
-    text += fmt::format("[{:.12g}]", fmt::join(*list, ", "));
-  else
-    text += contact::toml_text(value);
-  return comment.empty() ? text : fmt::format("{:<30} # {}", text, comment);
-}
 
 void remove_unused_values(std::vector<Point>& points) {
   for (const std::string name : {"longitudinal", "lateral"}) {

@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "convert/equivalent_case.hpp"
 #include <algorithm>
 #include <cmath>
 #include <utility>
