@@ -96,12 +96,17 @@ void read_input(const std::string& file, Problem& problem) {
   if (read.module != problem.given.module)
     throw Refusal(err_input, fmt::format("{}: holds module {}, the result element is of module {}",
                                          file, read.module, problem.given.module));
+  const bool steps = read.digits.T == 1 || read.digits.T == 2;
+  if (steps && read.digits.P == 0 && cases.size() > 1)
+    throw Refusal(err_input,
+                  file + ": its last case continues the one before, which is not solved");
   problem.given = read;
   (read.digits.N == 1 ? problem.normal_force : problem.penetration) = read.kinematics[0];
   for (std::size_t k = 0; k < 2; ++k)
     (read.digits.F > static_cast<int>(k) ? problem.tangential[k] : problem.creepage[k]) =
         read.kinematics[1 + k];
   problem.creepage[2] = read.kinematics[3];
+  if (read.module == 1) problem.normal_force = read.wheel_rail.position[2];
   problem.profile_text = {};
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   for (convert::ProfileFile* profile :

@@ -1,11 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """contact_clients.py ROOT LIBRARY CLIENT: runs a client of CONTACT's library on rollfem's and compares with the output
-of CONTACT that lies beside it. CLIENT: test_caddon or test_mbench (Fortran), python_mbench or python_tractcurv (Python).
+of CONTACT that lies beside it. CLIENT: test_caddon or test_mbench (Fortran), python_mbench or python_tractcurv (Python), or
+inputs: CONTACT's own inputs, read whole.
 
 The clients are not in the repository: they lie in the folder contact_library of $ROLLFEM_REFERENCE, or of
 ../shared/reference beside the repository; without them, or without gfortran for those in Fortran, status 77."""
 
+import ctypes
 import json
 import os
 import pathlib
@@ -125,11 +127,49 @@ def python(work):
     return {name: value for name, (value, _) in worst.items()}, {name: 0.0125 for name in worst}
 
 
+# Inputs whose last case continues no other, and the error of theirs in FX and FY (docs/coming_from_contact.md).
+INPUTS = {"contact_examples/bentall": 0.001, "contact_examples/carter2d": 0.001, "contact_examples/ertz_temperature": 0.002,
+          "contact_testbank/contact_nonhz": 0.002, "contact_examples/tractcurv": 0.003,
+          "contact_examples/mbench_a22_left": 0.004, "contact_testbank/dry_10mph_13750lbs": 0.004}
+
+
+def inputs(work):
+    """Forces, approach and, but for FASTSIM, whose bound is another one, pressures of the last case."""
+    library = ctypes.CDLL(str(LIBRARY))
+    whole, real = (lambda v: ctypes.byref(ctypes.c_int(v))), ctypes.c_double
+    worst = {}
+    for number, (name, limit) in enumerate(INPUTS.items(), 1):
+        file = REFERENCE / f"{name}.inp"
+        text = file.with_suffix(".ref_out").read_text(errors="replace")
+        if "mbench" in name:  # its profiles lie elsewhere
+            for needed in (file, *(REFERENCE / profile for profile in PROFILES)):
+                shutil.copy(needed, work)
+            file = work / file.name
+        module = 1 if "WHEEL-R" in text else 3
+        error = ctypes.c_int(-1)
+        library.cntc_initialize(whole(number), whole(module), whole(0), ctypes.byref(error), b" ", whole(1))
+        library.cntc_readinpfile(whole(number), whole(1988), str(file).encode(), whole(len(str(file))), ctypes.byref(error))
+        assert error.value == 0, name
+        library.cntc_calculate(whole(number), whole(-1 if module == 1 else 1), ctypes.byref(error))
+        assert error.value >= 0, f"{name}: {error.value}"
+        rows = re.findall(r"ELAST.EN.   FRIC.POWER.*\n(.*)\n.*\n(.*)\n", text[text.rfind("Case "):])
+        wanted = [float(x) for x in rows[0][0].split()[:4]]
+        approach = float(rows[0][1].split()[3])
+        forces = [real() for _ in range(4)]
+        library.cntc_getcontactforces(whole(number), whole(1), *[ctypes.byref(value) for value in forces])
+        depth = real()
+        library.cntc_getpenetration(whole(number), whole(1), ctypes.byref(depth))
+        off = max(abs(a.value - b) for a, b in zip(forces[:3], wanted)) / wanted[0]
+        worst[name] = max(off, abs(depth.value / approach - 1.0) / 5.0) / limit
+    return worst, {name: 1.0 for name in worst}
+
+
 def main():
     if not GIVEN.is_dir():
         skip(f"{GIVEN} is not there")
+    client = inputs if CLIENT == "inputs" else python if CLIENT.startswith("python") else fortran
     with tempfile.TemporaryDirectory() as folder:
-        worst, limits = (python if CLIENT.startswith("python") else fortran)(pathlib.Path(folder)) or ({}, {})
+        worst, limits = client(pathlib.Path(folder))
     for name, value in sorted(worst.items()):
         print(f"{name}: {100 * value:.3f} %")
     wrong = [name for name, value in worst.items() if value > limits[name]]
