@@ -163,7 +163,43 @@ def steps():
         whole += reals("cntc_getcreepages", 21, 1, count=3)[0]
         mindlin = 3 * MU * 1000.0 * (2 - NU) / (8 * G * a) * (1 - (1 - share)**(2 / 3))
         near(whole, mindlin, 0.01, f"Mindlin's shift at {share}")
+    # From rest, rolling ends in the steady state (Kalker).
+    sphere(21, mx=21)
+    flags(21, 1, {FORCE: 0})
+    call("cntc_setcreepages", 21, 1, 2e-4, 1e-4, 1e-4)
+    assert calculate(21, 1) == 0
+    steady = reals("cntc_getcontactforces", 21, 1, count=4)
+    flags(21, 1, {TANG: 2})
+    spacing = reals("cntc_getgriddiscretization", 21, 1, count=2)[0]
+    call("cntc_setrollingstepsize", 21, 1, 0.0, spacing)
+    for number in range(60):
+        flags(21, 1, {PVTIME: 2 if number == 0 else 0})
+        assert calculate(21, 1) == 0
+    for found, wanted in zip(reals("cntc_getcontactforces", 21, 1, count=4), steady):
+        near(found, wanted, 0.01, "after 60 steps of one element")
     call("cntc_finalize", 21)
+
+
+def heat_and_no_friction():
+    """Like bodies have one temperature, above theirs where friction heats them."""
+    begin(23, 3)
+    sphere(23)
+    steel = [20.0, 450.0, 0.05, 7.85e-6]
+    call("cntc_settemperaturedata", 23, 1, 3, 9, steel + steel + [1.0])
+    call("cntc_setcreepages", 23, 1, 0.02, 0.0, 0.0)
+    assert calculate(23, 1) == 0
+    first, second = reals("cntc_getmaximumtemperature", 23, 1, count=2)
+    near(first, second, 1e-9)
+    # A band of half width a under 8/9 of the mean flow of the disc: Jaeger's 2 q sqrt(t / pi) / beta, half into each.
+    a, p0, _ = hertz(1000.0)
+    flow = MU * 2 / 3 * p0 * 0.02 * 10000.0
+    beta = math.sqrt(50.0 * 7850.0 * 450.0) * 1e-3
+    near(first - 20.0, flow / beta * math.sqrt(2 * a / 10000.0 / math.pi), 0.4, "flash temperature")
+    flags(23, 1, {TANG: 0})
+    assert calculate(23, 1) == 0
+    assert reals("cntc_getcontactforces", 23, 1, count=4)[1:] == [0.0, 0.0, 0.0]
+    assert reals("cntc_getmaximumtraction", 23, 1) == 0.0
+    call("cntc_finalize", 23)
 
 
 def sensitivities():
@@ -192,23 +228,29 @@ def profiles():
     return made
 
 
-def wheel_on_rail(ire, side, shift, wheel, rail):
+def wheel_on_rail(ire, side, shift, wheel, rail, units=CNTC, rail_shift=0.0):
+    """Numbers in the client's units."""
+    m = 1.0 if units == CNTC else 1e-3
     begin(ire, 1)
-    flags(ire, -1, {UNITS: CNTC, CONFIG: side, TANG: 3, PVTIME: 2, NORM: 1, DISCNS: 2})
-    call("cntc_setmaterialparameters", ire, -1, 0, 4, [NU, NU, G, G])
+    flags(ire, -1, {UNITS: units, CONFIG: side, TANG: 3, PVTIME: 2, NORM: 1, DISCNS: 2})
+    call("cntc_setmaterialparameters", ire, -1, 0, 4, [NU, NU, G / m**2, G / m**2])
     call("cntc_setfrictionmethod", ire, -1, 0, 2, [MU, MU])
-    call("cntc_setpotcontact", ire, -1, -1, 5, [0.5, 0.5, 1.57, 8.0, 4.0])
+    call("cntc_setpotcontact", ire, -1, -1, 5, [0.5 * m, 0.5 * m, 1.57, 8.0 * m, 4.0 * m])
     call("cntc_setrollingstepsize", ire, -1, 0.0, 1.0)
-    call("cntc_settrackdimensions", ire, 3, 11, [14.0, 0.0, 1435.0, 0.025] + [0.0] * 7)
-    call("cntc_setwheelsetdimensions", ire, 3, 3, [1360.0, -70.0, 460.0])
+    call("cntc_settrackdimensions", ire, 3, 11, [14.0 * m, 0.0, 1435.0 * m, 0.025, 0.0, rail_shift * m] + [0.0] * 5)
+    call("cntc_setwheelsetdimensions", ire, 3, 3, [1360.0 * m, -70.0 * m, 460.0 * m])
     for kind, points in ((1, wheel), (0, rail)):
         values = [value for point in points for value in point]
         call("cntc_setprofileinputvalues", ire, len(points), values, 3, [kind, 0, 0], 2, [1.0, 0.0])
     call("cntc_setverticalforce", ire, 80000.0)
     sign = 1.0 if side == 1 else -1.0
-    call("cntc_setwheelsetposition", ire, 2, 6, [0.0, sign * shift, 0.0, 0.0, sign * 0.002, 0.0])
-    call("cntc_setwheelsetvelocity", ire, 2, 6, [2000.0, 0.0, 0.0, 0.0, 0.0, -2000.0 / 460.0])
+    call("cntc_setwheelsetposition", ire, 2, 6, [0.0, sign * shift * m, 0.0, 0.0, sign * 0.002, 0.0])
+    call("cntc_setwheelsetvelocity", ire, 2, 6, [2000.0 * m, 0.0, 0.0, 0.0, 0.0, -2000.0 / 460.0])
     assert calculate(ire) == 0
+    return results_on_track(ire)
+
+
+def results_on_track(ire):
     return array("cntc_getglobalforces", ire, -1, length=24), array("cntc_getcontactlocation", ire, 1, length=38)
 
 
@@ -228,11 +270,56 @@ def both_sides():
         arm = (at_left[15] - at_left[25], at_left[2] - at_left[26])
         moment = arm[0] * left[2] - arm[1] * left[1]
         assert abs(moment - left[3]) < 0.01 * 80000.0, (moment, left[3])
+    other_ways(wheel, rail)
     points = C.c_double()
     call("cntc_getprofilevalues", 31, 0, 2, [0, 0], 1, [1.0], 1, C.byref(points))
     assert points.value > 100
     for ire in (31, 32):
         call("cntc_finalize", ire)
+
+
+def other_ways(wheel, rail):
+    """The same contact by other functions: units, height instead of force, the rail moved instead of the wheel."""
+    forces, place = wheel_on_rail(33, 1, 1.0, wheel, rail)
+    for units, body in ((SI, 1.0), (SPCK, -1.0)):
+        other, there = wheel_on_rail(34, 1, 1.0, wheel, rail, units=units)
+        for k in range(24):
+            near(other[k] * (1.0 if k % 6 < 3 else 1000.0) + 1.0, body * forces[k] + 1.0, 1e-6, f"force {k} in {units}")
+        near(there[1] * 1000.0, place[1], 1e-9, "place")
+        near(there[3], place[3], 1e-9, "angle")
+    position = array("cntc_getwheelsetposition", 33, length=6)
+    flags(33, -1, {NORM: 0})
+    call("cntc_setwheelsetposition", 33, 2, 6, position)
+    assert calculate(33) == 0
+    by_height = array("cntc_getglobalforces", 33, -1, length=24)
+    near(by_height[2], 80000.0, 1e-3, "force by height")
+    call("cntc_setwheelsetposition", 33, 2, 6, position[:2] + [position[2] - 1.0] + position[3:])
+    patches = C.c_int(-1)
+    assert calculate(33) == 0
+    call("cntc_getnumcontactpatches", 33, C.byref(patches))
+    assert patches.value == 0 and array("cntc_getglobalforces", 33, -1, length=3) == [0.0] * 3, "above its rail"
+    moved, _ = wheel_on_rail(35, 1, 0.0, wheel, rail, rail_shift=-1.0)
+    for k in range(3):
+        assert abs(moved[k] - forces[k]) < 20.0, ("the rail moved", moved[:3], forces[:3])
+    # Friction over the inclination, the same everywhere.
+    call("cntc_setfrictionmethod", 35, -1, 10, 7, [2.0, -0.3, MU, MU, 0.3, MU, MU])
+    assert calculate(35) == 0
+    assert abs(array("cntc_getglobalforces", 35, -1, length=3)[0] - moved[0]) < 1.0
+    assert flag(35, TANG) == 3 and flag(35, 2005) == 2
+    # A wheel that is moved back by itself.
+    call("cntc_setwheelsetflexibility", 35, 4, 12, [0.0, -1.0] + [0.0] * 10)
+    assert calculate(35) == 0
+    back, _ = results_on_track(35)
+    start, _ = wheel_on_rail(36, 1, 0.0, wheel, rail)
+    assert abs(back[1] - wheel_on_rail(36, 1, -1.0, wheel, rail, rail_shift=-1.0)[0][1]) < 20.0 and start[2] > 0.0
+    for ire in (33, 34, 35, 36):
+        call("cntc_finalize", ire)
+
+
+def flag(ire, code):
+    values = (C.c_int * 1)()
+    call("cntc_getflags", ire, -1, 1, [code], values)
+    return values[0]
 
 
 def threads():
@@ -390,7 +477,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         work = pathlib.Path(folder)
-        for test in (closed_forms, steps, sensitivities, both_sides, threads):
+        for test in (closed_forms, steps, heat_and_no_friction, sensitivities, both_sides, threads):
             test()
             print(f"{test.__name__}: ok")
         bad_calls(work / "contact_addon.out")
