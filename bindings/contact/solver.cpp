@@ -55,6 +55,16 @@ bool same_settings(const Equivalent& a, const Equivalent& b) {
          std::equal(a.varied.begin(), a.varied.end(), b.varied.begin(), b.varied.end(), same_path);
 }
 
+/// Whether two load points differ in nothing but creepages.
+bool same_load(const Equivalent& a, const Equivalent& b) {
+  return std::equal(a.varied.begin(), a.varied.end(), b.varied.begin(), b.varied.end(),
+                    [](const auto& x, const auto& y) {
+                      return x.second == y.second ||
+                             (std::isnan(x.second) && std::isnan(y.second)) ||
+                             x.first.rfind("rolling.", 0) == 0;
+                    });
+}
+
 /// Sets a value of the load point; its key checks it as in a case file.
 void set_value(const std::string& path, double value, contact::Case& input) {
   const contact::Key& key = *contact::find_key(path);
@@ -111,7 +121,9 @@ void Solver::set_case(Equivalent made, const ProfileTexts& texts) {
   theories::models();  // declare their keys
   halfspace::models();
   const bool whole = made.history() || made.fixed.count("wheelset") > 0;
-  if (made_ && !whole && same_settings(*made_, made)) {
+  const bool same = made_ && !whole && same_settings(*made_, made);
+  if (!same || !same_load(*made_, made)) curve_.reset();
+  if (same) {
     std::vector<convert::Point> values{made.varied};
     convert::remove_unused_values(values);
     for (const auto& [path, value] : values.front()) set_value(path, value, input_);
@@ -214,6 +226,12 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
     if (scene->is_history()) scene->past = std::make_shared<contact::StepPast>();
     const auto& [dx, dy] = *scene->contact_grid.cell_size;
     patch.grid = halfspace::PatchSearch(*scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
+    if (curve_) {
+      patch.nx = patch.grid.nx;
+      patch.ny = patch.grid.ny;
+      patch.point = curve_->at(*scene);
+      return patch;
+    }
     const ContactGrid area = patch.grid;
     if (history_ && !same_grid(last_->grid, area))
       throw Refusal(err_discr, "digit P = 0: the grid differs from that of the step before");
@@ -229,6 +247,8 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
   patch.nx = patch.grid.nx - 2 * patch.first_column;
   patch.ny = patch.grid.ny - 2 * patch.first_row;
   patch.point = std::move(result.points.front());
+  if (patch.first_row == 0 && !convert::is_simplified(given.digits))
+    curve_ = CreepCurve::of(*scene, patch.grid, *halfspaces_, patch.point);
   return patch;
 }
 

@@ -38,7 +38,7 @@ enum Flag {
 };
 
 /// Of cntc_getfielddata.
-enum Field {
+enum FieldCode {
   fld_h = 1,
   fld_mu = 2,
   fld_px = 3,

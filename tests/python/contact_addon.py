@@ -143,6 +143,29 @@ def closed_forms():
         call("cntc_finalize", ire)
 
 
+def creep_curves():
+    """A creepage after others, on few elements or many, gives the forces and fields of the first call of an element."""
+    for mx in (15, 41):
+        begin(14, 3)
+        sphere(14, mx=mx)
+        for k in range(5):
+            reals_of_creepage(14, 1e-4 * k, 2e-4)
+        fields = {}
+        for ire in (14, 15):
+            if ire == 15:
+                begin(15, 3)
+                sphere(15, mx=mx)
+            call("cntc_setcreepages", ire, 1, 3e-4, -1e-4, 2e-4)
+            assert calculate(ire, 1) == 0
+            fields[ire] = [array("cntc_getfielddata", ire, 1, field, length=mx * mx) for field in (3, 4, 5, 7, 8, 15, 16)]
+            fields[ire] += [reals("cntc_getcontactforces", ire, 1, count=4), array("cntc_getelementdivision", ire, 1, length=mx * mx, kind=C.c_int)]
+        for after, first in zip(fields[14], fields[15]):
+            scale = max(map(abs, first))
+            assert max(abs(a - b) for a, b in zip(after, first)) <= 2e-4 * scale, (mx, after[:5], first[:5])
+        call("cntc_finalize", 14)
+        call("cntc_finalize", 15)
+
+
 def reals_of_creepage(ire, xi, eta):
     call("cntc_setcreepages", ire, 1, xi, eta, 0.0)
     assert calculate(ire, 1) == 0
@@ -477,7 +500,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         work = pathlib.Path(folder)
-        for test in (closed_forms, steps, heat_and_no_friction, sensitivities, both_sides, threads):
+        for test in (closed_forms, creep_curves, steps, heat_and_no_friction, sensitivities, both_sides, threads):
             test()
             print(f"{test.__name__}: ok")
         bad_calls(work / "contact_addon.out")
