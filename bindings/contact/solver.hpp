@@ -40,7 +40,9 @@ struct BlockStresses {
 /// A contact on the track: what its place, frames and the forces of the wheel follow from.
 struct PlacedPatch {
   track::WheelRailContact contact;
-  double sinking = 0.0;          ///< mm, of the wheel below first touch
+  double sinking = 0.0;  ///< mm, of the wheel below first touch
+  /// mm, of the wheelset under the load.
+  double height() const { return contact.pose.height + sinking; }
   double circumferential = 1.0;  ///< speed of the wheel's surface over the forward speed
 };
 
