@@ -92,7 +92,6 @@ class Solver {
 
   std::optional<convert::Equivalent> made_;  ///< that input_ follows from
   contact::Case input_;
-  ProfileTexts texts_;
   std::string profile_keys_, search_keys_;  ///< by which profiles_ and placed_ were made
   track::ProfilePair profiles_;
   track::PlacedWheels placed_;

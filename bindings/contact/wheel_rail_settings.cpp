@@ -133,6 +133,15 @@ void read_input(const std::string& file, Problem& problem) {
   problem.creepage[2] = read.kinematics[3];
   if (read.module == 1) problem.normal_force = read.wheel_rail.position[2];
   problem.profile_text = {};
+  problem.blocks.clear();
+  const auto back = [&](std::vector<double> values) {
+    for (double& value : values) value = problem.units.out(value);
+    return values;
+  };
+  for (const convert::StressBlock& block : read.stress_blocks)  // the numbers of elements, or mm
+    problem.blocks[static_cast<int>(problem.blocks.size()) + 1] =
+        block.by_element ? Block{7, {block.x, block.y, back(block.z)}}
+                         : Block{9, {back(block.x), back(block.y), back(block.z)}};
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   for (convert::ProfileFile* profile :
        {&problem.given.wheel_rail.rail, &problem.given.wheel_rail.wheel})
