@@ -20,6 +20,7 @@ import tempfile
 ROOT, LIBRARY, CLIENT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
 REFERENCE = pathlib.Path(os.environ.get("ROLLFEM_REFERENCE") or ROOT.parent / "shared/reference")
 GIVEN = REFERENCE / "contact_library"
+NAMES = {"python_mbench": ("Fx", "Fy", "Fz"), "python_tractcurv": ("Fn", "Fx", "Fy")}
 PROFILES = ["MBench_UIC60_v3.prr", "MBench_S1002_v3.prw"]
 # Of the examples, which an older version of the package had.
 OLDER = """
@@ -119,12 +120,11 @@ def python(work):
         found, load = forces["getcontactforces"], 106700.0
     assert len(found) == len(wanted), f"{len(found)} cases, not {len(wanted)}"
     worst = {}
-    for number, (ours, theirs) in enumerate(zip(found, wanted), 1):
-        for name, a, b in zip(("first", "second", "third"), ours, theirs):
-            if abs(a - b) / load > worst.get(name, (0.0,))[0]:
-                worst[name] = (abs(a - b) / load, number)
-    print(worst)
-    return {name: value for name, (value, _) in worst.items()}, {name: 0.0125 for name in worst}
+    for ours, theirs in zip(found, wanted):
+        for name, a, b in zip(NAMES[CLIENT], ours, theirs):
+            worst[name] = max(worst.get(name, 0.0), abs(a - b) / load)
+    # One position of the benchmark, where the curvature of the rail jumps, is 1.2 % off (docs/contact_library.md).
+    return worst, {name: 0.0125 if CLIENT == "python_mbench" else 0.002 for name in worst}
 
 
 # Inputs whose last case continues no other, and the error of theirs in FX and FY (docs/coming_from_contact.md).
