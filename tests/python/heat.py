@@ -58,6 +58,29 @@ class Below(unittest.TestCase):
         ranges = [each.data["models"][0]["shakedown"][0]["heated_range"] for each in made]
         self.assertGreater(abs(ranges[0] - ranges[1]), 0.0)
 
+    def test_steps_reach_steady_rolling(self):
+        # Closed for a state that stays in full sliding, whatever the length of the steps; friction by temperature with a memory.
+        law = {"coefficient": 0.36, "law": "temperature", "hot_temperature": 300.0, "hot_coefficient": 0.12, "memory_distance": 0.05}
+        for friction, allowed in (({"coefficient": 0.3}, 2e-3), (law, 2e-2)):
+            case = CASE.with_(friction=friction)
+            dx = rollfem.solve(case, model="halfspace").models[0].dx
+            for length, sign in ((dx, 1), (2 * dx, -1)):
+                # The wheel that runs the other way about y is its mirror image.
+                more = {"lateral_creepage": 0.003 * sign, "spin": 1e-4 * sign}
+                rolled = rollfem.solve(case.with_(rolling={**more, "longitudinal_creepage": [0.02] * int(18 / length), "speed": 30e3,
+                                                           "problem": "transient"}, history={"step_length": length}), model="halfspace").models[0]
+                alike = rollfem.solve(case.with_(rolling={**more, "longitudinal_creepage": 0.02, "speed": 30e3}), model="halfspace").models[0]
+                last, end = rolled.points[-1], alike.points[0]
+                self.assertLess(rolled.points[0]["max_temperature"] - 20, 0.3 * (last["max_temperature"] - 20))
+                self.assertAlmostEqual((last["max_temperature"] - 20) / (end["max_temperature"] - 20), 1.0, delta=allowed)
+                self.assertAlmostEqual(last["longitudinal_force"] / end["longitudinal_force"], 1.0, delta=allowed)
+                self.assertAlmostEqual(last["max_temperature_y"], end["max_temperature_y"], delta=alike.dy * 1.01)
+                # Heat in is the work of friction: tractions times slip.
+                point = last.fields
+                work = -(point["traction_x"] * point["slip_x"] + point["traction_y"] * point["slip_y"]).sum() * rolled.dx * rolled.dy
+                self.assertAlmostEqual((last["heat_wheel"] + last["heat_rail"]) / work, 1.0, delta=1e-9)
+                self.assertLess(abs(last["max_temperature"] - end["max_temperature"]), last.bar("max_temperature") + end.bar("max_temperature"))
+
     def test_mirror_images_and_models_agree(self):
         more = {"lateral_creepage": 0.004, "spin": 2e-4, "longitudinal_creepage": 0.01, "speed": 30e3}
         one = rollfem.solve(CASE, model="halfspace", rolling=more).models[0].points[0]
