@@ -366,7 +366,7 @@ rollfem_status rollfem_table_forces(const rollfem_table* table, const rollfem_el
                     {of.longitudinal_creepage, of.lateral_creepage, of.spin}, of.speed);
         result.check("forces", "a place for the forces");
         result.give({0, found.forces[0], found.forces[1], found.forces[2], found.force_bar,
-                     found.moment_bar});
+                     found.moment_bar, found.rise});
       },
       message, size);
 }
@@ -395,7 +395,7 @@ rollfem_status rollfem_table_wheel_forces(const rollfem_table* table,
                      found.along_normal / newtons, found.forces[2] / moment,
                      found.force_bar / newtons, found.moment_bar / moment, bound / newtons,
                      place.normal_force / newtons, place.contact_angle,
-                     place.rolling_radius / length, place.jump_after != 0.0});
+                     place.rolling_radius / length, place.jump_after != 0.0, found.rise});
       },
       message, size);
 }

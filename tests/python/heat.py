@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Heat below the surface against integrals of its own, and through the package.
 Call: heat.py SOURCE_FOLDER PROGRAM; rollfem is found by PYTHONPATH."""
+import tempfile
 import types
 import unittest
 
@@ -80,6 +81,56 @@ class Below(unittest.TestCase):
                 work = -(point["traction_x"] * point["slip_x"] + point["traction_y"] * point["slip_y"]).sum() * rolled.dx * rolled.dy
                 self.assertAlmostEqual((last["heat_wheel"] + last["heat_rail"]) / work, 1.0, delta=1e-9)
                 self.assertLess(abs(last["max_temperature"] - end["max_temperature"]), last.bar("max_temperature") + end.bar("max_temperature"))
+
+    SMALL = {"axis_ratio": [1.3293], "longitudinal_values": [0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.5, 5.0, 8.0, 12.0], "points": [2, 2, 2], "lateral_values": [0.0, 1.0],
+             "spin_values": [0.0, 1.0], "check_points": 0}
+
+    def test_tables_hold_the_rise_at_any_load_and_speed(self):
+        made = rollfem.table(CASE.with_(table=self.SMALL))
+        with tempfile.TemporaryDirectory() as folder:
+            made.write(folder)
+            table = rollfem.Table(folder)
+        self.assertEqual(table.heat["speed"], 30e3)
+        # Full sliding: 0.5 mu p0 xi V sqrt(a/V) / (beta sqrt(pi)) 2.1883, both of steel.
+        for load, speed, xi in ((50e3, 10e3, 0.05), (120e3, 40e3, -0.1)):
+            point = rollfem.solve(CASE.with_(load={"normal_force": load}), model="hertz").models[0].points[0]
+            a, b = point["semi_axis_x"], point["semi_axis_y"]
+            exact = 0.5 * 0.3 * 1.5 * load / (np.pi * a * b) * abs(xi) * speed * np.sqrt(a / speed) / (EFFUSIVITY * np.sqrt(np.pi)) * 2.1883
+            found = table.forces(semi_axis_x=a, semi_axis_y=b, shear_modulus=210e3 / 2.6, friction_bound=0.3 * load, speed=speed,
+                                 longitudinal_creepage=xi)
+            self.assertAlmostEqual(found.temperature_rise / exact, 1.0, delta=0.02)
+            other = table.forces(semi_axis_x=a, semi_axis_y=b, shear_modulus=70e3, friction_bound=0.3 * load, longitudinal_creepage=xi)
+            self.assertTrue(np.isnan(other.temperature_rise))
+
+    def test_tables_of_friction_by_temperature_are_of_any_body(self):
+        law = {"coefficient": 0.36, "law": "temperature", "hot_temperature": 300.0, "hot_coefficient": 0.12}
+        case = CASE.with_(friction=law)
+        table = rollfem.table(case.with_(table={**self.SMALL, "speed": [5e3, 10e3, 20e3, 40e3]}))
+        self.assertIn("friction by temperature", table.only_for)
+        # Bodies of half the size under another load have the friction of those of the table at another speed.
+        for size, load, speed, xi in ((1.0, 100e3, 30e3, 0.003), (0.5, 30e3, 20e3, 0.02)):
+            point = rollfem.solve(case.with_(load={"normal_force": load}, wheel={"rolling_radius": 460 * size, "transverse_radius": np.inf},
+                                             rail={"transverse_radius": 300 * size}, rolling={"longitudinal_creepage": xi, "speed": speed}),
+                                  model="halfspace").models[0].points[0]
+            hertz = {name: point[name] for name in ("semi_axis_x", "semi_axis_y")}
+            found = table.forces(**hertz, shear_modulus=210e3 / 2.6, friction_bound=0.36 * load, speed=speed, longitudinal_creepage=xi)
+            self.assertLess(abs(point["longitudinal_force"] - found.longitudinal_force), 0.012 * 0.36 * load)
+            self.assertAlmostEqual((point["max_temperature"] - 20) / found.temperature_rise, 1.0, delta=0.04)
+
+    def test_tables_of_a_wheel_have_the_rise_on_both_sides(self):
+        found = []
+        for side, sign in (("left", 1), ("right", -1)):
+            case = rollfem.Case("cases/s1002_uic60_left.toml").with_(
+                wheelset={"side": side}, rail_heat={"temperature": 20.0}, elements_across=12, rolling={"speed": 20e3},
+                table={"lateral_shift": [2.0 * sign], "longitudinal_values": [0.0, 1.0, 3.0], "lateral_values": [0.0, 1.0],
+                       "spin_values": [0.0, 1.0], "check_points": 0})
+            table = rollfem.table(case)
+            found.append(table.forces(lateral_shift=2.0 * sign, longitudinal_creepage=[0.002, 0.01], speed=10e3))
+            here = rollfem.solve(case.with_(wheelset={"side": side, "lateral_shift": 2.0 * sign},
+                                            rolling={"speed": 10e3, "longitudinal_creepage": [0.002, 0.01]}), model="halfspace")
+            rise = np.array([point["max_temperature"] - 20 for point in here.models[0].points])
+            np.testing.assert_array_less(np.abs(found[-1].temperature_rise / rise - 1), [0.15, 0.02])
+        np.testing.assert_allclose(found[0].temperature_rise, found[1].temperature_rise, rtol=2e-3)
 
     def test_mirror_images_and_models_agree(self):
         more = {"lateral_creepage": 0.004, "spin": 2e-4, "longitudinal_creepage": 0.01, "speed": 30e3}

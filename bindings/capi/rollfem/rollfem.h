@@ -236,7 +236,7 @@ typedef struct {
   double friction_bound; /* coefficient of friction times normal force */
   double longitudinal_creepage, lateral_creepage;
   double spin;  /* 1/length */
-  double speed; /* length per s, of a table with several; 0: its only one */
+  double speed; /* length per s, of a table with several or with heat; 0: its only one, or that of its case */
 } rollfem_ellipse;
 
 /* Forces on the wheel. Bars: errors of the force vector and of the moment, from the table and its interpolation. */
@@ -244,6 +244,9 @@ typedef struct {
   size_t struct_size;
   double longitudinal_force, lateral_force, spin_moment;
   double force_bar, moment_bar;
+  /* K, largest rise of the temperature in contact by friction; NAN without heat in the table, or with a shear modulus
+     other than its own. Needs mm, N, MPa and, if it is not that of the table, the speed. */
+  double temperature_rise;
 } rollfem_creep_forces;
 
 /* Opens a file table.h5 or the folder that holds it. Returns NULL for an invalid table. */
@@ -276,6 +279,7 @@ typedef struct {
   double normal_force;          /* of the table, all contacts */
   double contact_angle, rolling_radius; /* of the main contact */
   int jumps; /* 1: contact jumps between the neighbouring shifts; the values are those of the nearer one */
+  double temperature_rise; /* K, as of an ellipse, largest of all contacts */
 } rollfem_wheel_forces;
 
 /* Works like rollfem_table_forces. */
