@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <tuple>
 
 namespace rollfem::contact {
 
@@ -115,9 +117,44 @@ Field left_temperature(const ContactGrid& grid, const SurfaceHeat& heat, double 
   });
 }
 
-void warn_of_temperature(const std::optional<SurfaceHeat>& heat, ModelResult& result) {
-  if (!heat) return;
-  const double limit = std::min(heat->wheel.limit, heat->rail.limit);
+namespace {
+
+/// The largest thermal stress at a surface in contact that stresses of the result leave out: the
+/// material around a thin layer holds it, E alpha (T - T_0)/(1 - nu) along and across.
+void note_thermal_stress(const Scene& scene, ModelResult& result) {
+  double largest = 0.0, depth = 0.0;
+  std::string body;
+  for (const PointResult& point : result.points) {
+    if (point.stress_maxima.empty() && point.subsurface.empty() && point.yielded.empty() &&
+        point.bodies.empty())
+      continue;
+    for (const auto& [name, heat, material] :
+         {std::tuple("wheel", &scene.heat->wheel, &scene.wheel.material),
+          {"rail", &scene.heat->rail, &scene.rail.material}}) {
+      const double rise = point.max_temperature.value_or(heat->temperature) - heat->temperature;
+      const double stress =
+          material->young_modulus * heat->expansion * rise / (1.0 - material->poisson_ratio);
+      if (material->rigid() || stress <= largest) continue;
+      largest = stress;
+      depth = std::sqrt(heat->diffusivity * point.contact_length / scene.heat->speed);
+      body = name;
+    }
+  }
+  if (largest > 0.0)
+    add_note(
+        result.notes, "thermal_stress",
+        "stresses and yielding leave out thermal strain: up to {:.0f} MPa of compression along "
+        "and across the surface of the {}, in a layer of {:.2g} mm; rollfem stress adds it "
+        "(docs/heat.md)",
+        largest, body, depth);
+}
+
+}  // namespace
+
+void tell_of_heat(const Scene& scene, ModelResult& result) {
+  if (!scene.heat) return;
+  note_thermal_stress(scene, result);
+  const double limit = std::min(scene.heat->wheel.limit, scene.heat->rail.limit);
   double hottest = 0.0;
   std::size_t above = 0;
   for (const PointResult& point : result.points) {

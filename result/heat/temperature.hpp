@@ -34,7 +34,8 @@ HeatStep set_temperatures(const ContactGrid& grid, const SurfaceHeat& heat, doub
 Field left_temperature(const ContactGrid& grid, const SurfaceHeat& heat, double length,
                        const HeatPast& past);
 
-/// Warns of load points with surfaces above the limits of the bodies, if they have heat.
-void warn_of_temperature(const std::optional<SurfaceHeat>& heat, ModelResult& result);
+/// Where bodies have heat: warns of load points with surfaces above their limits, and notes the
+/// thermal stress that the stresses of the result leave out.
+void tell_of_heat(const Scene& scene, ModelResult& result);
 
 }  // namespace rollfem::contact

@@ -56,6 +56,12 @@ class Below(unittest.TestCase):
             np.testing.assert_allclose(warm["xx"] - plain["xx"], thermal, rtol=1e-9, atol=1e-9)
             np.testing.assert_allclose(warm["zz"], plain["zz"], rtol=1e-12)
             self.assertLess(warm["temperature"][-1] - 20, 1e-3 * (warm["temperature"][0] - 20))
+        # Results say what their own stresses leave out.
+        named = rollfem.solve(CASE.with_(output={"stress_maxima": True}), model="halfspace").models[0]
+        [note] = [each for each in named.notes if each.about == "thermal_stress"]
+        left_out = 210e3 * 1.2e-5 / 0.7 * (named.points[0]["max_temperature"] - 20)
+        self.assertIn(f"up to {left_out:.0f} MPa", note.text)
+        self.assertFalse([each for each in (*hot.models[0].notes, *cold.models[0].notes) if each.about == "thermal_stress"])
         ranges = [each.data["models"][0]["shakedown"][0]["heated_range"] for each in made]
         self.assertGreater(abs(ranges[0] - ranges[1]), 0.0)
 
