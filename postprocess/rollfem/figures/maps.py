@@ -219,9 +219,9 @@ def _shade(number, levels):
     return VIRIDIS[round(number * (len(VIRIDIS) - 1) / max(1, len(levels) - 1))]
 
 
-def filled(panel, right, up, values):
-    """Overlaid areas above increasing levels. The lattice may be skew, because contours are computed over the indices
-    of its points. Returns the levels."""
+def filled(panel, right, up, values, outline=None):
+    """Overlaid areas above increasing levels, from the border of the lattice (or an outline within it). The lattice may be skew,
+    because contours are computed over the indices of its points. Returns the levels."""
     low, high = float(values.min()), float(values.max())
     step = nice_step(max(high - low, 1e-6 * max(abs(high), 1e-9)), len(VIRIDIS) - 1)
     first = math.floor(low / step + 1e-9)
@@ -231,7 +231,7 @@ def filled(panel, right, up, values):
     x, y = np.arange(-1, columns + 1.0), np.arange(-1, rows + 1.0)
     x[[0, -1]], y[[0, -1]] = (-1e-3, columns - 1 + 1e-3), (-1e-3, rows - 1 + 1e-3)
     wide = np.pad(values, 1, constant_values=low - 1e3 * (high - low or 1.0))
-    panel.area([_edge(right, up)], VIRIDIS[0])
+    panel.area(outline or [_edge(right, up)], VIRIDIS[0])
     for place, level in enumerate(levels[1:], 1):
         rings = contour_lines(x, y, wide, level)
         panel.area([np.stack([at_points(np.arange(columns), np.arange(rows), part, ring)
@@ -252,6 +252,37 @@ def colour_scale(figure, levels, step, height):
     panel.y.limits = (levels[0], levels[-1] + step)
     for place, level in enumerate(levels):
         panel.area([np.array([(0, level), (1, level), (1, level + step), (0, level + step)])], _shade(place, levels))
+
+
+def pressure(result):
+    """Coloured maps of the pressure of the reference model and, with friction, of the size of its tangential traction, with the
+    edge of the patch and the border between adhesion and slip. None without fields."""
+    with_fields = load_points.with_pressure(result)
+    model = next((m for m in load_points.by_reference(result, with_fields) if m.has_friction), next(iter(with_fields), None))
+    if model is None or not model.points:
+        return None
+    key = load_points.typical_key([model])
+    point = model.at(key) if key else next((p for p in model.points if "pressure" in p.fields), None)
+    found = zones(model, point) if point else None
+    if found is None or min(len(model.x), len(model.y)) < 2:
+        return None
+    half, figure = extent([model]), Figure(4, styles.label(model), in_rows=True)
+    values = {"contact pressure $p_n$ [MPa]": point.fields["pressure"]}
+    if key and {"traction_x", "traction_y"} <= set(point.fields):
+        text = load_points.key_texts([key])[0][key]
+        values[f"size of the tangential traction [MPa], {text}"] = np.hypot(point.fields["traction_x"], point.fields["traction_y"])
+    for title, field in values.items():
+        panel = patch_panel(figure, title, (ALONG["x"], ALONG["y"]), half, min(150 / half[0], 150 / half[1]), 140)
+        levels, step = filled(panel, *np.meshgrid(model.x, model.y), field, found.outline)
+        panel.paths(found.outline, "ink", 1.2)
+        panel.paths(found.borders, "ink", 3.6)
+        panel.paths(found.borders, "ground", 1.4, order=3)
+        panel.fit()
+        colour_scale(figure, levels, step, panel.height)
+    if found.borders:
+        figure.entry("double line: border between adhesion and slip")
+    said = [f"{title} up to {field.max():.4g}" for title, field in values.items()] + [adhering(point)] * model.has_friction
+    return figure.tell("Maps over the patch: ", said)
 
 
 def _zoned(result):
@@ -328,7 +359,7 @@ def outlines(result):
                             half, min(135 / half[0], 150 / half[1]), 115)
         for model in models:
             # Hertz has a single load point.
-            point = (model.at(key) if key else None) or (model.points[0] if model not in zoned else None)
+            point = (model.at(key) if key else None) or (model.headline if model not in zoned else None)
             found = zones(model, point) if point else None
             if found is None:
                 continue
@@ -342,8 +373,8 @@ def outlines(result):
         figure.entry(f"adhesion ({styles.label(shaded)})", fill="adhesion", opacity=0.35)
         figure.entry(f"slip ({styles.label(shaded)})", fill="slip", opacity=0.3)
     figure.entry(shared)
-    said = [f"{styles.label(m)} {m.points[0]['contact_length']:.3g} by {m.points[0]['contact_width']:.3g} mm"
-            for m in models]
+    said = [f"{styles.label(m)} {m.headline['contact_length']:.3g} by {m.headline['contact_width']:.3g} mm"
+            for m in models if m.headline]
     if shaded is not None:
         said += [f"{styles.label(shaded)} {adhering(point)} at {texts[k]}" for k in chosen if (point := shaded.at(k))]
     return figure.tell("Contact areas, along rolling by across: ", said)
@@ -419,7 +450,7 @@ def _frame(panel, view, unit_label):
     panel.paths(lines, "soft", 0.9, order=1)
     left, bottom = view(-half_x, -half_y)
     right = view(half_x, half_y)[0]
-    panel.x.limits = (left - 9 * small, right + 10 * small)
+    panel.x.limits = (left - 12 * small, right + 10 * small)
     panel.y.limits = (bottom - 8.5 * small + below, view.highest + 4 * small)
 
 
