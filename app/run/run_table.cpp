@@ -71,16 +71,13 @@ std::string yielded_lines(const std::vector<ModelResult>& models) {
     if (point.yielded.empty()) continue;
     text += fmt::format("\n{} after {} {} of {}, which the numbers above are of:\n", model.name,
                         point.forward_flow ? "pass" : "step", at + 1, model.points.size());
-    for (const auto& [name, scale, format] :
-         {std::tuple{"residual_stress", 1.0, "{:.1f} {} MPa largest residual compression"},
-          {"plastic_increment", 0.01, "{:.4f} {} % plastic strain of the pass"},
-          {"net_plastic_increment", 0.01, "{:.4f} {} % of it lasting"},
-          {"groove_depth", 1e-3, "{:.2f} {} um depth of the groove"}})
+    for (const auto& [name, unit, scale] : {std::tuple{"residual_stress", "MPa", 1.0},
+                                            {"plastic_increment", "%", 0.01},
+                                            {"net_plastic_increment", "%", 0.01},
+                                            {"groove_depth", "um", 1e-3}})
       if (const auto value = contact::quantity_named(name).value(point))
-        text += "  " +
-                fmt::format(fmt::runtime(format), *value / scale,
-                            contact::bar_text(point, name, scale)) +
-                '\n';
+        text += fmt::format("  {:<30} {:>9.4g} {:<3} {}\n", contact::quantity_named(name).title,
+                            *value / scale, unit, contact::bar_text(point, name, scale));
     for (const contact::YieldedSection& body : point.yielded)
       text += fmt::format("  {}: {}\n", body.body, body.finding);
   }

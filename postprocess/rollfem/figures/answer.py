@@ -141,7 +141,8 @@ def _cell(model, row):
         return tables.span(values, digits)
     number = value(model.headline)
     bar = _bar(model.headline, name)
-    html = tables.measured(values[0] if number is None else number, "" if bar is None else factor * bar, digits)
+    word = model.headline.no_bar.get(name, "") if name != "normal_force" else ""
+    html = tables.measured(values[0] if number is None else number, word if bar is None else factor * bar, digits)
     return html.replace("&nbsp;<span", " <span")  # the bar may go below
 
 

@@ -41,8 +41,9 @@ def _title(place, key):
 def _keys(place):
     """Keys of the references: patch first, then along the creep curve."""
     patch = [name for name in PATCH if name in place["references"]]
+    others = [k for k in place["references"] if ":" not in k and k not in PATCH]
     rest = [k for k in place["references"] if ":" in k]
-    return patch + sorted(rest, key=lambda k: int(k.split(":")[1]))
+    return patch + others + sorted(rest, key=lambda k: int(k.split(":")[1]))
 
 
 def typical_coefficient(place, friction):
