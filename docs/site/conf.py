@@ -54,7 +54,7 @@ EXTRACT_ALL = YES
 QUIET = YES
 MACRO_EXPANSION = YES
 # Comments of the C header are plain: those behind a member belong to it, others to what follows.
-FILTER_PATTERNS = *.h="sed -e 's|^\\( *\\)/\\*|\\1/**|' -e 's|\\([^ ] *\\)/\\* |\\1/**< |'"
+FILTER_PATTERNS = *.h="sed -e '/SPDX-License/d' -e 's|^\\( *\\)/\\*|\\1/**|' -e 's|\\([^ ] *\\)/\\* |\\1/**< |'"
 """)
 
 

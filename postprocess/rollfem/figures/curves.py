@@ -72,10 +72,13 @@ def creep_curve(result):
     figure = Figure(2)
     top = figure.add(400, 270, load_points.key_texts(load_points.all_keys(models))[1], axis_label,
                      f"traction coefficient {ratio} [-]")
-    top.y.see([0.0, friction])
+    largest = max((abs(load_points.coefficient(p, force)) for m in models for p in m.points if p["normal_force"]), default=0.0)
+    full = not by_step or largest > 0.6 * friction  # a history far below full slip fills the field
+    top.y.see([0.0, friction] if full else [0.0])
     top.y.margin, top.y.least = 0.08, 0.02 * friction
-    top.level(friction)
-    if law is None:
+    if full:
+        top.level(friction)
+    if law is None and full:
         top.text(0.01, friction, f"full slip: $\\mu$ = {friction:.3g}", shift=(0, -4), share=(True, False))
     beside = None
     if len(models) > 1 and reference in models and not found:

@@ -216,7 +216,7 @@ class Panel:
     def __init__(self, width, height, title="", xlabel="", ylabel="", equal=False, bare=False):
         self.width, self.height, self.title = width, height, title
         self.x, self.y = Axis(xlabel, margin=0.03), Axis(ylabel)
-        self.equal, self.bare, self.room_left = equal, bare, 54
+        self.equal, self.bare, self.room_left, self.head = equal, bare, 54, 0  # head: least rows above the field
         self.entry = lambda *look: None  # entries of the figure's legend
         self._marks, self._curves = [], {}
 
@@ -313,6 +313,10 @@ class Panel:
             (left, right), (low, high) = self.x.range(), self.y.range()
             self.height = self.width * (high - low) / (right - left)
 
+    def _title(self):
+        """The rows of the title."""
+        return broken(self.title, max(self.width + 60, 120)) if self.title else []
+
     def _across(self):
         """The rows of the label of x."""
         return broken(self.x.label, self.width + 60) if self.x.label else []
@@ -345,8 +349,8 @@ class Panel:
     def svg(self):
         """(width, height, content) of the panel with its words."""
         self.fit()
-        rows = broken(self.title, max(self.width + 60, 120)) if self.title else []
-        top, bottom, left = 8 + 16 * len(rows), 4, 4
+        rows = self._title()
+        top, bottom, left = 8 + 16 * max(len(rows), self.head), 4, 4
         grid = axes = names = ""
         if not self.bare:
             grid, axes, names, left = self._frame()
@@ -425,8 +429,14 @@ class Figure:
             text += f'<path {strokes(colour, 1.2, (), filled)} d="{marker_path(marker, [13], [6], 3)}"/>'
         return text
 
+    def _align(self):
+        """Fields of panels side by side begin at the same height."""
+        for panel in self.panels:
+            panel.head = max(len(each._title()) for each in self.panels)
+
     def html(self):
         """Legend and panels as part of a page."""
+        self._align()
         items = []
         for entry in self.legend:
             key = self._key(entry)
@@ -461,6 +471,7 @@ class Figure:
 
     def svg(self):
         """The whole figure as the text of a file."""
+        self._align()
         drawn = [panel.svg() for panel in self.panels]
         rows = [drawn[k:k + self.columns] for k in range(0, len(drawn), self.columns)]
         widths = [max(row[k][0] for row in rows if k < len(row)) for k in range(len(rows[0]))] if rows else []

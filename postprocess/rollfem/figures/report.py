@@ -66,7 +66,8 @@ def place_captions(result):
         if position in (numbers[0], numbers[-1]):
             yield (f"pair_{wheel}_{position:.0f}.svg",
                    f"The {wheel} wheel on its rail{positions.at_words(result, position)}, with the contact "
-                   "points. Right: the undeformed distance around them.",
+                   "points: the middle of the loaded patch, which need not be where the bodies touch first. Right: the undeformed "
+                   "distance around them.",
                    lambda wheel=wheel, position=position: positions.pair(result, wheel, position))
             yield (f"work_{wheel}_{position:.0f}.svg",
                    f"Where the {wheel} wheel and its rail wear{positions.at_words(result, position)}: frictional work per "
