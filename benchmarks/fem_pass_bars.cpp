@@ -92,9 +92,9 @@ std::vector<contact::ModelResult> levels_of(contact::Scene scene, std::vector<do
                    levels.back().unknowns, watch.seconds());
       }
       return levels;
-    } catch (const fem::YieldsBeyondStreamlines&) {
-      if (times == 5) throw;
-      scene.options.set<fem::FemOptions>().plastic_extent *= 1.3;
+    } catch (const fem::YieldsBeyondStreamlines& beyond) {
+      if (times == 8) throw;
+      scene.options.set<fem::FemOptions>().plastic_growth[beyond.direction] *= 1.3;
     }
 }
 

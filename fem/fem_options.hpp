@@ -5,6 +5,7 @@
 
 #include "scene/scene.hpp"
 
+#include <array>
 #include <optional>
 
 namespace rollfem::fem {
@@ -37,6 +38,8 @@ struct FemOptions {
   PassPressure pass_pressure = PassPressure::yielding;
   bool limit_state = false;     ///< passes approach the state that repeats by extrapolation
   double plastic_extent = 1.0;  ///< of the streamlines that may yield, relative to the usual one
+  /// The same along, across and down, where steel has yielded at the border.
+  std::array<double, 3> plastic_growth{1.0, 1.0, 1.0};
   std::optional<double> surface_layer;  ///< mm, height of the cells at a surface that yields
 };
 

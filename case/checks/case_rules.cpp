@@ -294,10 +294,12 @@ const std::vector<Exclusion> exclusions{
      "[rail_dip]",
      "add one of these, or remove it",
      true},
-    {!when::wheel_varies,
+    {!(when::wheel_varies ||
+       (when::has("history", "motion") && when::is("history", "motion", "positions"))),
      {"wheelset.wheel_angle", "placement.wheel_angle"},
      "is not used, because the wheel is round",
-     "together with sections as wheel.profile, [wheel_flat] or [wheel_polygon]",
+     "together with sections as wheel.profile, [wheel_flat] or [wheel_polygon], or where "
+     "[history] moves by positions",
      "add one of these, or remove it",
      true}};
 

@@ -198,7 +198,7 @@ ModelResult run_with_streamlines(const Scene& scene, const contact::Progress& pr
 ModelResult run_fem(const Scene& scene, const contact::Progress& progress,
                     contact::Checkpoint* checkpoint) {
   constexpr double growth = 1.3;
-  constexpr int most_times = 6;
+  constexpr int most_times = 8;
   Scene grown = scene;
   std::vector<contact::Note> notes;
   for (int times = 0;; ++times) try {
@@ -214,11 +214,12 @@ ModelResult run_fem(const Scene& scene, const contact::Progress& progress,
         throw contact::SolveError(
             fmt::format("{}; do: give a larger fem.plastic_extent than {:.3g}", beyond.what(),
                         options_of(grown).plastic_extent));
-      grown.options.set<FemOptions>().plastic_extent *= growth;
+      auto& extent = grown.options.set<FemOptions>().plastic_growth;
+      extent[beyond.direction] *= growth;
       notes = {{"plastic_extent",
-                fmt::format("fem.plastic_extent grew from {:.3g} to {:.3g}, because {}",
-                            options_of(scene).plastic_extent, options_of(grown).plastic_extent,
-                            beyond.what())}};
+                fmt::format("the region that may yield grew to {:.3g} times along, {:.3g} times "
+                            "across and {:.3g} times down, because {}",
+                            extent[0], extent[1], extent[2], beyond.what())}};
       contact::ProgressEvent event;
       event.model = "fem";
       event.stage = "plastic flow";

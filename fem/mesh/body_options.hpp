@@ -36,8 +36,9 @@ struct BodyOptions {
   double growth = 1;      ///< cells may be cell_size + growth * distance from the fine region
   double speed = 0;       ///< mm/s, rolling speed: inertia in the stiffness (rolling_inertia.hpp)
   bool yields = false;    ///< plastic flow: its volume must not change, see projects_dilatation()
-  double plastic_depth = 0;  ///< of the streamlines that may yield, in rows of cells
-  GradedDepth rows;          ///< where they are; cells are as long and wide as without
+  double plastic_half_width = 0;  ///< mm, of the streamlines that may yield
+  double plastic_depth = 0;       ///< in rows of cells
+  GradedDepth rows;               ///< where they are; cells are as long and wide as without
   MeshFamily family = MeshFamily::structured;
   std::optional<double> half_length = std::nullopt;  ///< mm, instead of extent along s
   std::optional<double> half_width = std::nullopt;   ///< mm, instead of extent along t

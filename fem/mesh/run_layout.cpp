@@ -161,7 +161,10 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
 double default_cell_size(const Scene& scene) {
   const FemOptions& options = options_of(scene);
   // A larger region that yields has larger cells, so that it costs about as much.
-  const double larger = scene.yields() ? std::max(1.0, options.plastic_extent) : 1.0;
+  const auto& growth = options.plastic_growth;
+  const double larger = scene.yields() ? std::max(1.0, options.plastic_extent) *
+                                             std::cbrt(growth[0] * growth[1] * growth[2])
+                                       : 1.0;
   return options.cell_size ? *options.cell_size : larger * expected_box(scene).smaller() / 8.0;
 }
 
@@ -286,16 +289,20 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
   const double depth = deeper * patch.smaller() *
                        (roundness * depth_of_stress(part, nu, false) +
                         (1.0 - roundness) * depth_of_stress(part, nu, true));
-  const double h = options.cell_size, extent = options_of(scene).plastic_extent;
-  const auto extended = [h, extent](double least, double length) {
-    return std::ceil(std::max(least, extent * length) / h - 1e-6) * h;
+  const double h = options.cell_size;
+  std::array<double, 3> extent = options_of(scene).plastic_growth;
+  for (double& of : extent) of *= options_of(scene).plastic_extent;
+  const auto extended = [h](double least, double length) {
+    return std::ceil(std::max(least, length) / h - 1e-6) * h;
   };
-  options.fine_half_length = extended(options.fine_half_length, patch.half_length + 0.35 * depth);
-  options.fine_half_width = extended(options.fine_half_width, patch.half_width + 0.25 * depth);
-  set_depths(extent * depth, options);
+  options.fine_half_length =
+      extended(options.fine_half_length, extent[0] * (patch.half_length + 0.35 * depth));
+  options.plastic_half_width = extended(0.0, extent[1] * (patch.half_width + 0.25 * depth));
+  options.fine_half_width = extended(options.fine_half_width, options.plastic_half_width);
+  set_depths(extent[2] * depth, options);
   const double first = options_of(scene).surface_layer.value_or(
       chosen_row(scene, *body.plasticity, body.material.young_modulus, patch));
-  if (first > 0.0 && first < h) options = with_thin_rows(first, extent * depth, options);
+  if (first > 0.0 && first < h) options = with_thin_rows(first, extent[2] * depth, options);
   return options;
 }
 

@@ -37,11 +37,14 @@ class LimitState {
 
 class YieldingBody;
 
-/// Plastic flow reaches the border of the streamlines that may yield: a larger fem.plastic_extent
-/// has a solution.
+/// Plastic flow reaches the border of the streamlines that may yield: with a larger region in this
+/// direction (FemOptions::plastic_growth) there is a solution.
 class YieldsBeyondStreamlines : public contact::SolveError {
  public:
-  using SolveError::SolveError;
+  enum Direction : std::size_t { along, across, down };
+  YieldsBeyondStreamlines(const std::string& text, Direction where)
+      : SolveError(text), direction(where) {}
+  Direction direction;
 };
 
 class YieldingBodies {

@@ -26,7 +26,9 @@ class WheelHistory : public ::testing::Test {
                 "wheelset.roll=0.0",          "contact_grid.cell_size=[1.0, 1.0]",
                 "rolling.leading_edge=plain", "halfspace.surface=planar",
                 "wheelset.side=left"};
-    if (changes.empty() || changes.front() != "wheelset.free_rolling=force")
+    if (std::none_of(changes.begin(), changes.end(), [](const std::string& change) {
+          return change.rfind("wheelset.free_rolling", 0) == 0;
+        }))
       all.push_back("wheelset.rotation_change=-0.001");
     all.insert(all.end(), changes.begin(), changes.end());
     result::RunRecord record;
@@ -174,14 +176,53 @@ TEST_F(WheelHistory, ErrorOfStepsFallsWithTheirLength) {
 /// From a shift under the force to the creepage of steady rolling: from Cattaneo to Carter.
 TEST_F(WheelHistory, TransmitsTheForceThatIsAsked) {
   const Changes driven{"wheelset.free_rolling=force", "wheelset.longitudinal_force=-12e3"};
-  Changes in_steps = steps(90, "1.0", driven);
-  std::rotate(in_steps.begin(), in_steps.end() - 2, in_steps.end());
-  const auto steady = solve(driven), rolled = solve(in_steps);
+  const auto steady = solve(driven), rolled = solve(steps(90, "1.0", driven));
   for (const std::size_t k : {0U, 1U, 10U, 89U})
     EXPECT_NEAR(step_of(rolled, k).longitudinal_force, -12e3, 1.0);
   const double wanted = step_of(steady, 0).creepage.longitudinal;
   EXPECT_NEAR(step_of(rolled, 89).creepage.longitudinal, wanted, 0.02 * wanted);
   EXPECT_GT(step_of(rolled, 0).creepage.longitudinal, 3.0 * wanted);
+}
+
+/// Wheels whose sum of moments about the axle is given, in each step; a centred wheelset shares it.
+TEST_F(WheelHistory, TransmitsTheTorqueThatIsAsked) {
+  constexpr double torque = 4e6, radius = 460.0;
+  const Changes driven{"wheelset.free_rolling=torque", "wheelset.axle_torque=4e6",
+                       "wheelset.side=both"};
+  const auto steady = solve(driven), rolled = solve(steps(60, "1.0", driven));
+  ASSERT_EQ(rolled.models.size(), 120U);
+  for (const contact::ModelResult& wheel : rolled.models)
+    EXPECT_NEAR(wheel.points.front().longitudinal_force, -0.5 * torque / radius,
+                2e-3 * torque / radius);
+  for (const std::size_t last : {118U, 119U})
+    EXPECT_NEAR(step_of(rolled, last).creepage.longitudinal,
+                step_of(steady, last - 118).creepage.longitudinal,
+                0.02 * std::abs(step_of(steady, 0).creepage.longitudinal));
+}
+
+/// What a wheel is shifted by follows from where it stands and how far it has turned: as if its
+/// shift were given, with y of the contact to the left.
+TEST_F(WheelHistory, PositionsShiftTheWheel) {
+  constexpr double aside = 4e-3, turned = 1e-5;
+  const Changes shift{"rolling.problem=shift", "contact_grid.cell_size=[0.5, 0.5]"};
+  Changes placed = shift, given = shift;
+  for (const std::string& key : {fmt::format("wheelset.lateral_shift=[0.0, {}]", aside),
+                                 fmt::format("wheelset.wheel_angle=[0.0, {}]", turned),
+                                 std::string("history.motion=positions")})
+    placed.push_back(key);
+  for (const std::string& key :
+       {fmt::format("history.lateral_shift=[0.0, {}]", -aside),
+        fmt::format("history.longitudinal_shift=[0.0, {}]", -turned * 460.0),
+        std::string("wheelset.lateral_shift=[0.0, 0.0]")})
+    given.push_back(key);
+  for (const std::string side : {"left", "right"}) {
+    placed.push_back("wheelset.side=" + side);
+    given.push_back("wheelset.side=" + side);
+    const auto a = solve(placed), b = solve(given);
+    EXPECT_GT(std::abs(step_of(b, 1).longitudinal_force), 0.05 * step_of(b, 1).normal_force);
+    EXPECT_GT(std::abs(step_of(b, 1).lateral_force), 0.05 * step_of(b, 1).normal_force);
+    expect_forces(step_of(a, 1), step_of(b, 1), 0.01);
+  }
 }
 
 /// k d = F + F_0, with the friction of each step; a steady wheel on the same springs carries the
