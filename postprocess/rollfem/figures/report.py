@@ -25,8 +25,6 @@ OF_PATCH = (
      "friction in full sliding (dotted), and the rise up to the peak.", curves.creep_curve),
     ("creep_found", "Creepage or shift found for the prescribed force, and the difference from the reference model if there "
      "are several. Bars: error estimates.", curves.found_for_force),
-    ("pressure_map", "Contact pressure over the patch by the reference model, and its tangential traction with the border between "
-     "adhesion and slip area. Material enters on the right.", maps.pressure),
     *((f"path_{axis}", f"Along the line {across} = 0, or through the largest pressure where that lies beside it: contact "
        "pressure, and tangential traction under its bound (thin): μ pₙ, or the theory's own (FASTSIM, strip). Where the two "
        "coincide the surfaces slip.",
@@ -50,9 +48,8 @@ def captions(result):
     for name, caption, draw in OF_PATCH:
         yield f"{name}.svg", caption, lambda draw=draw: draw(result)
     for model in result.models:
-        what = ("px", "Pressure and tangential traction") if model.has_friction else ("pn", "Pressure")
-        yield (f"oblique_{what[0]}_{model.name}.svg", f"{what[1]} over the patch: {styles.label(model)}.",
-               lambda model=model: maps.oblique(result, model))
+        yield (f"pressure_map_{model.name}.svg", f"Contact pressure over the patch and, with friction, size of the tangential traction: "
+               f"{styles.label(model)}.", lambda model=model: maps.pressure(result, model))
     for number, kind, body in stresses.lines(result):
         yield (f"stress_{number + 1}.svg", stresses.caption(kind, body),
                lambda number=number: stresses.of_request(result, number))
@@ -94,8 +91,8 @@ MOST_FULL = 8
 def _telling(scene):
     """Prefixes of the figures drawn for every patch of a long sweep."""
     reference = load_points.reference_for_forces(scene) or load_points.reference_for_patch(scene)
-    return ("creep_", "pressure_map", "path_x", "path_y", "outlines", "stress_", "yielded_",
-            *(f"oblique_{what}_{reference.name}.svg" for what in ("px", "pn")))
+    return ("creep_", "path_x", "path_y", "outlines", "stress_", "yielded_",
+f"pressure_map_{reference.name}.svg")
 
 
 def captioned(result):
@@ -192,7 +189,7 @@ def _patch(scene, images, heading):
     largest = stresses.maxima_table(scene)
     html = "".join([
         _numbers(scene), images("pressure_map", "outlines", "contact_area"), _forces(scene, images("creep_")),
-        section("Tractions in the patch", images("path", "strip_force", "oblique")),
+        section("Tractions in the patch", images("path", "strip_force")),
         section("Work of friction", images("pass_work")),
         section("Heat of friction", images("temperature")),
         section("Steel that yields", yielding.passes_table(scene), images("yielded_")),
