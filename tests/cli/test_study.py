@@ -213,3 +213,14 @@ def test_follows_the_largest_stresses_of_the_case_and_any_other_scalar(rollfem):
     page = rollfem.text("out/study.html")
     assert "largest orthogonal shear stress in the rail" in page and "contact area" in page
     rollfem.refuses("study", rollfem.case(case), "--quantity", "beauty", says="is no scalar of a load point")
+
+
+@pytest.mark.skipif(not FEM, reason="without finite elements")
+def test_levels_begin_where_the_patch_has_enough_cells(rollfem):
+    # Hertz: 2 b = 9.09 mm, in which cells of 3.2 mm fit 2.8 times.
+    case = SMALL | {"load.normal_force": 60e3, "wheel.rolling_radius": 460.0, "wheel.transverse_radius": math.inf,
+                    "rail.transverse_radius": 300.0, "rolling.longitudinal_creepage": 0.0, "fem.cell_size": 0.8}
+    rollfem.done("study", rollfem.case(case), "--model", "fem", "--no-report", "-o", "out")
+    series, = rollfem.json("out/study.json")["places"][0]["series"]
+    says(series["left_out"], "3.2 mm: only 2.8 cells across the patch")
+    assert [level["parameter"] for level in series["levels"]] == [1.6, 0.8]

@@ -2,6 +2,7 @@
 """Plans and solves the levels of a refinement study (`rollfem.study`, `rollfem study`)."""
 import difflib
 import json
+import math
 import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import asdict, dataclass, field
@@ -146,6 +147,7 @@ def _give(word: str, places: Sequence[Place]) -> None:
         _refuse(word, "the value is not a number", places)
 
 
+FEWEST_CELLS = 4  # across the patch, of the first level of finite elements: coarser ones say nothing about its limit
 #: Of the last pass over bodies that yield.
 OF_PASSES = ("plastic_increment", "net_plastic_increment", "residual_stress", "groove_depth", "forward_flow", "plastic_work")
 
@@ -276,6 +278,8 @@ class Study:
                     setattr(series, said, f"{list_of}{'; ' * bool(list_of)}{level.label}: {why}")
                 if series.levels and work.whole:
                     return series
+        if plan.ways == ["cell"] and len(series.levels) == len(refined):
+            _drop_coarse(series, place)
         if not series.levels and series.left_out:
             series.failure, series.left_out = "; ".join(filter(None, (series.failure, series.left_out))), ""
         return series
@@ -318,6 +322,15 @@ class Study:
             return False
         self._say(place, f"{series.model} {level.label}: resumed")
         return True
+
+
+def _drop_coarse(series: Series, place: Place) -> None:
+    """Drops the first levels of finite elements with few cells across the patch, whose size the finest level knows."""
+    size = min(series.levels[-1].values.get(name, math.inf) * (2 if name.startswith("semi") else 1) for name in _axes(place))
+    while len(series.levels) > 1 and size < FEWEST_CELLS * series.levels[0].parameter:
+        level = series.levels.pop(0)
+        series.left_out += (f"{'; ' * bool(series.left_out)}{level.label}: only {size / level.parameter:.2g} cells across the patch; "
+                            "do: give a smaller fem.cell_size")
 
 
 def _record_name(place: Place, series: Series, level: Level) -> str:
