@@ -137,7 +137,7 @@ def errors_figure(place, across, wanted, friction):
             difference = series.get("model_differences", {}).get(key, {"value": 0.0})["value"]
             if across == "seconds" and abs(difference) > SMALLEST and series["levels"][-1]["seconds"] > 0:
                 panel.spots([(series["levels"][-1]["seconds"], 100 * abs(difference))],
-                            **{**_look(place, series), "hollow": "open", "size": 5.5, "name": ""})
+                            **{**_look(place, series), "hollow": "open", "size": 5.5, **({"name": ""} if spots else {})})
                 extra[f"large, open: model difference from {styles.label(place['reference'])}"] = {}
             if across == "unknowns" and series.get("measures_others") and len(spots) >= 3:
                 # Slope of order 2 on a surface grid: the error falls as 1/unknowns.
