@@ -29,6 +29,29 @@ Friction friction_on(const Scene& scene, const ChartedGeometry& geometry) {
   return on_arc;
 }
 
+namespace {
+
+/// Flows on the elements of a grid, linear between those along x that an earlier step has left.
+Field flows_on(const ContactGrid& grid, const PastPatches& patches, Field PastPatch::*flows) {
+  Field found = Field::Zero(grid.size());
+  for (const PastPatch& patch : patches) {
+    const ContactGrid& from = patch.grid;
+    const auto rows = static_cast<int>(std::lround((grid.y_first - from.y_first) / grid.dy));
+    const double columns = (grid.x_first - from.x_first) / grid.dx, whole = std::floor(columns);
+    for (int j = std::max(0, -rows); j < std::min(grid.ny, from.ny - rows); ++j)
+      for (int i = 0; i < grid.nx; ++i) {
+        const auto at = [&, column = i + static_cast<int>(whole)](int more) {
+          const int c = column + more;
+          return c < 0 || c >= from.nx ? 0.0 : (patch.*flows)[from.index(c, j + rows)];
+        };
+        found[grid.index(i, j)] += (1.0 - columns + whole) * at(0) + (columns - whole) * at(1);
+      }
+  }
+  return found;
+}
+
+}  // namespace
+
 PointMotion::PointMotion(const Scene& scene, const ChartedGeometry& geometry,
                          const ContactGrid& grid, const std::optional<History>& inherited)
     : scene_(scene),
@@ -41,8 +64,14 @@ PointMotion::PointMotion(const Scene& scene, const ChartedGeometry& geometry,
     steps_before_ = scene.past->steps;
   }
   const Friction& law = scene.friction();
-  if (scene.heat)
-    left_temperature_ = Field::Constant(grid.size(), scene.heat->contact_temperature());
+  if (scene.heat) {
+    if (scene.past)
+      for (const PastHeat& step : scene.past->levels.front().heat)
+        heat_.push_back({step.length, flows_on(grid, step.patches, &PastPatch::heat_wheel),
+                         flows_on(grid, step.patches, &PastPatch::heat_rail)});
+    left_temperature_ =
+        left_temperature(grid, *scene.heat, scene.points.front().step_length, heat_);
+  }
   if (!scene.is_history() || !law || !(law->memory() || law->plasticity || law->by_temperature()))
     return;
   friction_ = friction_on(scene, geometry);

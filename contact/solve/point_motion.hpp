@@ -100,6 +100,7 @@ class PointMotion {
   /// Sets the temperatures of the solved load point k of transient rolling, and keeps its heat for
   /// the next step.
   void warm(std::size_t k, PointResult& point);
+  const HeatPast& heat() const { return heat_; }
 
   /// State that the next step inherits from load point k.
   void advance(std::size_t k, const ContactState& state);

@@ -88,6 +88,23 @@ class Below(unittest.TestCase):
                 self.assertAlmostEqual((last["heat_wheel"] + last["heat_rail"]) / work, 1.0, delta=1e-9)
                 self.assertLess(abs(last["max_temperature"] - end["max_temperature"]), last.bar("max_temperature") + end.bar("max_temperature"))
 
+    def test_wheels_that_move_reach_it_too(self):
+        # Positions that stay are steady rolling in the end; the other wheel is the mirror image.
+        ends = []
+        for side, sign, length in (("left", 1, 0.9), ("right", -1, 0.9), ("left", 1, 2.5)):
+            case = rollfem.Case(str(SOURCE / "cases/s1002_uic60_left.toml")).with_(
+                friction={"coefficient": 0.3}, wheelset={"side": side, "lateral_shift": 2.0 * sign}, rail_heat={"temperature": 20.0},
+                wheel_heat={"temperature": 60.0}, elements_across=10, rolling={"speed": 20e3, "longitudinal_creepage": 0.02}, output={"paths": []})
+            steady = rollfem.solve(case, model="halfspace").models[0].points[0]
+            moving = case.with_(wheelset={"side": side, "lateral_shift": [2.0 * sign] * int(30 / length)},
+                                rolling={"problem": "transient", "speed": 20e3, "longitudinal_creepage": 0.02}, history={"step_length": length})
+            first, last = (model.points[0] for model in rollfem.solve(moving, model="halfspace").models[::int(30 / length) - 1])
+            self.assertLess(first["max_temperature"] - 40, 0.5 * (last["max_temperature"] - 40))
+            self.assertAlmostEqual((last["max_temperature"] - 40) / (steady["max_temperature"] - 40), 1.0, delta=0.02)
+            self.assertAlmostEqual((last["heat_wheel"] + last["heat_rail"]) / steady["frictional_work"], 1.0, delta=0.02)
+            ends.append(last["max_temperature"])
+        self.assertAlmostEqual(ends[0], ends[1], delta=0.01)
+
     SMALL = {"axis_ratio": [1.3293], "longitudinal_values": [0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.5, 5.0, 8.0, 12.0], "points": [2, 2, 2], "lateral_values": [0.0, 1.0],
              "spin_values": [0.0, 1.0], "check_points": 0}
 
@@ -126,7 +143,7 @@ class Below(unittest.TestCase):
     def test_tables_of_a_wheel_have_the_rise_on_both_sides(self):
         found = []
         for side, sign in (("left", 1), ("right", -1)):
-            case = rollfem.Case("cases/s1002_uic60_left.toml").with_(
+            case = rollfem.Case(str(SOURCE / "cases/s1002_uic60_left.toml")).with_(
                 wheelset={"side": side}, rail_heat={"temperature": 20.0}, elements_across=12, rolling={"speed": 20e3},
                 table={"lateral_shift": [2.0 * sign], "longitudinal_values": [0.0, 1.0, 3.0], "lateral_values": [0.0, 1.0],
                        "spin_values": [0.0, 1.0], "check_points": 0})
