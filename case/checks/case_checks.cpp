@@ -239,6 +239,12 @@ void check_heat(const GivenCase& given, const Case& input) {
             "gives the surfaces no temperature, which [wheel_heat] and "
             "[rail_heat] ask for",
             "above 0 mm/s", "give the rolling speed, or remove these sections");
+  if (input.is_wheel_history() &&
+      (input.wheel.heat || input.rail.heat || input.friction_fall.shape.by_temperature))
+    fail_at(given, "rolling.problem",
+            "lets a wheel move on its rail from step to step, and no heat is carried on with it",
+            "with heat or friction by temperature a wheel at one position",
+            "give one position, or remove the sections of heat and the law `temperature`");
 }
 
 void check_friction_limit(const GivenCase& given, const Case& input) {

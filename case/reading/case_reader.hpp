@@ -7,7 +7,6 @@
 
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace rollfem::contact {
@@ -20,8 +19,8 @@ Case read_case(const std::string& path, const KnownNames& known = {},
 /// The same from text; messages use `name` for the file.
 Case parse_case(const std::string& text, const std::string& name, const KnownNames& known = {});
 
-/// A number or text for each "section.key".
-using NamedValues = std::vector<std::pair<std::string, std::variant<double, std::string>>>;
+/// A value for each "section.key".
+using NamedValues = std::vector<std::pair<std::string, KeyValue>>;
 
 /// A case of values, without text, that passes the same checks. Throws std::logic_error for unknown
 /// keys.

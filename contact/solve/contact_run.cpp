@@ -309,6 +309,7 @@ bool ContactRun::restore(std::size_t k) {
   std::string memory;
   if (!store_->find(k, result_.grid, point, state_, memory)) return false;
   remember(k);
+  motion_->warm(k, point);
   motion_->restore(point);
   elasticity_->restore(memory);
   result_.pressure = state_.normal.pressure;
@@ -336,6 +337,7 @@ void ContactRun::solve_point(std::size_t k) {
     solve_given(k, unknowns);
   state_.tangential.states = problem_->count_states(state_, motion_->at(k, unknowns));
   PointResult point = point_result(k, unknowns);
+  motion_->warm(k, point);
   remember(k);
   if (holds_patch(scene_, result_.grid, state_.normal.pressure)) elasticity_->complete(k, point);
   point.seconds = watch.seconds();

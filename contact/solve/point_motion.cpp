@@ -41,7 +41,10 @@ PointMotion::PointMotion(const Scene& scene, const ChartedGeometry& geometry,
     steps_before_ = scene.past->steps;
   }
   const Friction& law = scene.friction();
-  if (!scene.is_history() || !law || !(law->memory() || law->plasticity)) return;
+  if (scene.heat)
+    left_temperature_ = Field::Constant(grid.size(), scene.heat->contact_temperature());
+  if (!scene.is_history() || !law || !(law->memory() || law->plasticity || law->by_temperature()))
+    return;
   friction_ = friction_on(scene, geometry);
   if (inherited) return;
   const Field none = Field::Zero(grid.size());
@@ -87,6 +90,7 @@ TangentialMotion PointMotion::at(std::size_t k, const Vector2d& unknowns) const 
   if (!steps) return {slip};
   TangentialMotion motion = history_.rolling_step(slip, point.step_length);
   if (friction_) motion.past = history_.past(point.step_length);
+  if (motion.past) motion.past->temperature = left_temperature_;
   return motion;
 }
 
@@ -108,6 +112,20 @@ void PointMotion::describe(std::size_t k, const Vector2d& unknowns, PointResult&
   point.lateral_shift = sum_.lateral;
   point.spin_shift = sum_.spin;
   point.distance = sum_.distance;
+}
+
+void PointMotion::warm(std::size_t k, PointResult& point) {
+  if (!scene_.heat || scene_.problem != Problem::transient) return;
+  const bool steady = scene_.problem_of(k) == Problem::steady;
+  const double length = steady ? infinity : scene_.points[k].step_length;
+  heat_.insert(heat_.begin(), set_temperatures(grid_, *scene_.heat, length, heat_, point));
+  const double next = scene_.points[std::min(k + 1, scene_.points.size() - 1)].step_length;
+  left_temperature_ = contact::left_temperature(grid_, *scene_.heat, next, heat_);
+  const double whole = grid_.nx * grid_.dx;
+  double behind = 0.0;
+  std::size_t met = 0;
+  while (met < heat_.size() && behind < whole) behind += heat_[met++].length;
+  heat_.resize(met);
 }
 
 void PointMotion::advance(std::size_t k, const ContactState& state) {

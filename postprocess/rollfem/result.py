@@ -77,6 +77,7 @@ class ModelResult(Gridded, Named):
     notes: Annotated[list[Note], "what a reader must know, sources of errors among it"]
     choice: Annotated[str, "why `auto` chose it"]
     shortfall: Annotated[str, "what was requested and not reached"]
+    hot_limit: Annotated[float, "degC, wheel_heat.limit or rail_heat.limit: above it steel transforms"]
     traits: Annotated[frozenset[str], "what holds of the model, as registered: bounded, has_stress, ..."]
 
     _found: dict[tuple[Any, ...], Point] | None = None  # points by key, created on first use
@@ -317,6 +318,8 @@ class Result(Written):
         if not history and any("yielded" in point.parts for _, model in models for point in model.parts["points"].parts.values()):
             by_number = "pass"
         made.models = [ModelResult(key, model, by_number) for key, model in models]
+        for model in made.models:
+            model.hot_limit = min((made.inputs[key] for key in ("wheel_heat.limit", "rail_heat.limit") if key in made.inputs), default=700.0)
         return made
 
     @property

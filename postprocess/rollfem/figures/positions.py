@@ -75,6 +75,8 @@ def work(result, wheel, position):
     shape.y.limits = (max(min(-part[:, 1].max() for part in near) - 1, min(touched) - 0.5 * BESIDE),
                       min(max(-part[:, 1].min() for part in near) + 1, max(touched) + 0.5 * BESIDE))
     below.y.limits = (0.0, None)
+    if temperatures := [point["max_temperature"] for model in models if (point := model.at(key)) and "max_temperature" in point.scalars]:
+        figure.entry(f"largest temperature {max(temperatures):.0f} °C")
     shape.room_left = below.room_left = 64  # one below the other
     return figure
 
@@ -262,6 +264,8 @@ def sweep(result):
         given = LOAD if "load.vertical_force" in result.inputs else HEIGHT
         panels = [panel for panel in (*PANELS_ALONG, *PANELS_OF_HISTORY * is_history(result)) if panel[0] != given and (
             panel[0] not in FORCES or any(m.has_friction for m in models))]
+    if all("max_temperature" in m.points[0].scalars for m in models):
+        panels = (*panels, ("largest temperature", "[°C]", 5.0, _at("max_temperature")))
     for panel in figure.charts((250, 165), [
             (title, over.label, unit, least, curves(title, value)) for title, unit, least, value in panels]):
         if over.is_way and panel.title == "normal force":  # so that a transfer of load is seen as one
