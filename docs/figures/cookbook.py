@@ -10,9 +10,11 @@ import subprocess
 import sys
 import tempfile
 
-PAGES = ("first_run.md", "cookbook.md", "crossing.md", "plasticity.md")
+PAGES = ("first_run.md", "wheelset.md", "cookbook.md", "crossing.md", "plasticity.md")
 HERE = pathlib.Path(__file__).resolve().parent
 RECIPE = re.compile(r"```sh\n((?:(?!```).)*)```\n\n<!-- figure (\S+) -->\n!\[[^]]*\]\(figures/(\S+)\)", re.S)
+
+FILE = re.compile(r"<!-- file (\w+\.toml) -->\n```\w*\n(.*?)```", re.S)
 
 
 def main():
@@ -21,6 +23,8 @@ def main():
         os.symlink(program, f"{folder}/rollfem")
         os.symlink(HERE.parent.parent / "cases", f"{folder}/cases")
         pages = [(HERE.parent / page).read_text(encoding="utf-8") for page in sys.argv[2:] or PAGES]
+        for name, content in FILE.findall("".join(pages)):
+            pathlib.Path(folder, name).write_text(content, encoding="utf-8")
         for commands, drawn, kept in RECIPE.findall("".join(pages)):
             subprocess.run(["sh", "-ec", commands], cwd=folder, check=True, stdout=subprocess.DEVNULL,
                            env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"})

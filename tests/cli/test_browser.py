@@ -30,6 +30,12 @@ def report(request):
         yield made.work / "out/report.html"
 
 
+def test_a_study_is_not_clipped_either(rollfem):
+    rollfem.done("study", rollfem.case(SMALL | {"rolling.longitudinal_creepage": [0.001, 0.002]}), "--levels", "3", "-o", "out")
+    found = browser.measured(rollfem.work / "out/study.html", 1400)
+    assert found["errors"] == [] and found["clipped"] == [] and found["over"] == []
+
+
 @pytest.mark.parametrize("width", [400, 1400])
 def test_nothing_is_clipped_and_no_words_overlap(report, width):
     found = browser.measured(report, width)

@@ -83,22 +83,13 @@ def asked(result):
 MOST_CONTACTS = 4
 
 
-def _pressure(point):
-    return point["max_pressure"]
-
-
-def _used(point):
-    """T/F_n, the part of the normal force that friction carries."""
-    return point.tangential_coefficient
-
-
 def _scalar(name, factor=1.0):
     return lambda point: None if (value := point.scalars.get(name)) is None else factor * value
 
 
 # Rows: heading, quantity with the bar or "", value of a load point, factor of the bar, digits, and how the contacts of one
 # wheel make one number: the largest, or their sum.
-ROWS = (("largest pressure p<sub>0</sub> [MPa]", "max_pressure", _pressure, 1.0, 5, max),
+ROWS = (("largest pressure p<sub>0</sub> [MPa]", "max_pressure", _scalar("max_pressure"), 1.0, 5, max),
         ("patch: length along rolling [mm]", "contact_length", _scalar("contact_length"), 1.0, 4, max),
         ("width across [mm]", "contact_width", _scalar("contact_width"), 1.0, 4, max),
         ("contact area [mm²]", "contact_area", _scalar("contact_area"), 1.0, 4, sum),
@@ -106,7 +97,7 @@ ROWS = (("largest pressure p<sub>0</sub> [MPa]", "max_pressure", _pressure, 1.0,
         ("force along rolling F<sub>x</sub> [kN]", "longitudinal_force", _scalar("longitudinal_force", 1e-3), 1e-3, 4, sum),
         ("lateral force F<sub>y</sub> in the contact plane [kN]", "lateral_force", _scalar("lateral_force", 1e-3), 1e-3, 4, sum),
         ("lateral force Y on the track [kN]", "lateral_force_track", _scalar("lateral_force_track", 1e-3), 1e-3, 4, sum),
-        ("friction used T/F<sub>n</sub>", "tangential_coefficient", _used, 1.0, 4, max),
+        ("friction used T/F<sub>n</sub>", "tangential_coefficient", lambda point: point.tangential_coefficient, 1.0, 4, max),
         ("wear number Tγ [N]", "frictional_work", _scalar("frictional_work"), 1.0, 4, sum),
         ("largest temperature [°C]", "max_temperature", _scalar("max_temperature"), 1.0, 4, max),
         ("residual compression along [MPa]", "residual_stress", _scalar("residual_stress"), 1.0, 3, max),
@@ -153,8 +144,8 @@ def _shakedown(model):
     points = [p for p in _points(model) if p["semi_axis_x"] > 0]
     if not points:
         return "–"
-    point = max(points, key=_used)
-    limit = Ellipse(point["semi_axis_y"] / point["semi_axis_x"]).limit(_used(point))
+    point = max(points, key=lambda p: p.tangential_coefficient)
+    limit = Ellipse(point["semi_axis_y"] / point["semi_axis_x"]).limit(point.tangential_coefficient)
     return tables.number(math.sqrt(3) * point["max_pressure"] / limit, 3)
 
 
@@ -165,12 +156,9 @@ def _shakedown_row(models):
 
 def _useful(models, row):
     """Whether the row says something."""
-    values = [abs(v) for m in models for p in _points(m) if (v := row[2](p)) is not None]
-    if not values or max(values) == 0:
-        return False
-    if row[1] in ("lateral_force", "longitudinal_force", "lateral_force_track"):
-        return max(values) > SMALL * max(1e-3 * p["normal_force"] for m in models for p in _points(m))
-    return True
+    largest = max((abs(v) for m in models for p in _points(m) if (v := row[2](p)) is not None), default=0.0)
+    of_load = SMALL * max(1e-3 * p["normal_force"] for m in models for p in _points(m)) * row[1].startswith(("lateral", "longitudinal"))
+    return largest > of_load
 
 
 def _contacts(models, heads):
@@ -255,12 +243,9 @@ def part(result, warned):
     heads = [escape(place_label(m.place).replace(", position 1", "") if len(positions.positions(result)) < 2 else place_label(m.place))
              or escape(styles.label(m)) for m in shown]
     table = _contacts(shown, heads) if len(shown) <= MOST_CONTACTS else _spans(result, shown)
-    about = f"By {escape(', '.join(dict.fromkeys(styles.label(m) for m in shown)))}"
-    point = shown[0].headline
-    if point.by_number == "pass":
-        about += f", after the last pass of {len(shown[0])}: passes before it have other numbers"
-    elif len(shown[0]) > 1:
-        about += "; “a to b”: over the load points"
+    about = f"By {escape(', '.join(dict.fromkeys(styles.label(m) for m in shown)))}" + (
+        f", after the last pass of {len(shown[0])}: passes before it have other numbers" if shown[0].headline.by_number == "pass" else
+        "; “a to b”: over the load points" * (len(shown[0]) > 1))
     lines = "".join(f"<li>{line}</li>" for line in [*_uncertain(result, shown), *_differences(result, shown)])
     return section("The answer", asked(result), _failed(result), warned, table,
                    hint(about + "; ±: error bar of grid and solver. Forces act on the wheel."),

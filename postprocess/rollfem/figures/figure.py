@@ -357,7 +357,9 @@ class Panel:
             left, bottom = max(left + 6, self.room_left), 26 + 14 * len(self._across()) if self.x.label else 22
         # Words wider than the field get room on both sides.
         beside = 0.5 * (max([1.15 * labels.width(row) for row in [*rows, *([] if self.bare else self._across())]], default=0) - self.width)
-        left, right = max(left, beside + 4), max(12, beside + 4)
+        ticks = [] if self.bare else self.x.marks(self.width, True)
+        ends = [self.x.shares([value])[0] * self.width + 0.6 * labels.width(text) - self.width for value, text in ticks]
+        left, right = max(left, beside + 4), max(12, beside + 4, *ends)
         marks = sorted(self._marks, key=lambda mark: mark[:2])
         inner = "".join(draw() for _, _, text, draw in marks if not text)
         texts = "".join(draw() for _, _, text, draw in marks if text)

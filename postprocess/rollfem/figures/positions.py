@@ -443,7 +443,7 @@ def wheelset_table(result):
     reference = reference_of_row(result)
     rows = [row for row in read_rows(path)[1] if row["model"] == reference and row["point"] == "1"]
     wheels = [side for side in ("left", "right") if any(row[f"{side} patches"] for row in rows)]
-    known = [column for column in OF_SHIFT if any(row.get(column[1]) for row in rows)]
+    known = [column for column in OF_SHIFT if len({row.get(column[1]) for row in rows} - {"", None}) > (column[0] == "shift [mm]")]
     columns = known + [(f"{side}: {head}", f"{side} {name}", factor, digits)
                        for side in wheels for head, name, factor, digits in OF_WHEEL]
     return (tables.table([column[0] for column in columns],

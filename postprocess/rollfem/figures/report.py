@@ -248,7 +248,7 @@ def touching(result, figures):
     over = "The wheels along the way" if positions.along(result).is_way else "Wheelset over lateral shift"
     said = hint("Track: y to the right, contact angle positive where the plane falls towards the middle of the track; profile "
                 "coordinates: y to the field side. Forces and pressures at the largest load, after passes of the last.")
-    return section(over, figures("positions", "wheelset.svg"), folded("numbers of every position", row)) * bool(
+    return section(over, figures("positions"), figures("wheelset.svg"), folded("numbers of every position", row)) * bool(
         row or len(positions.positions(result)) > 2) + section(
         "Where wheel and rail touch", figures("pair_", "work_"), folded("numbers of every contact", positions.contact_table(result) + said))
 
