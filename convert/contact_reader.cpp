@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "convert/input_lines.hpp"
+#include "convert/stress_block.hpp"
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>
@@ -204,32 +205,20 @@ void read_places(InputLines& lines, const std::string& prefix,
   }
 }
 
-/// Numbers of elements `first`, `first + step`, ... up to `last`, as CONTACT counts, from 1.
-std::vector<double> every(const std::vector<double>& range, int most) {
-  std::vector<double> numbers;
-  for (double k = std::max(range[0], 1.0); k <= std::min(range[2], double(most));
-       k += std::max(range[1], 1.0))
-    numbers.push_back(k);
-  return numbers;
-}
-
-/// Reads the places across the surface and the depths of a block of kind 1 to 7.
-void read_elements(InputLines& lines, int kind, const PotentialContact& area, StressBlock& block) {
-  block.by_element = true;
+/// A block of kind 1 to 7.
+StressBlock read_elements(InputLines& lines, int kind, const PotentialContact& area) {
+  std::array<std::vector<double>, 3> given;
   if (kind == 2 || kind == 6) {
-    block.x = every(lines.numbers({"IXL", "IXINC", "IXH"}), area.mx);
-    block.y = every(lines.numbers({"IYL", "IYINC", "IYH"}), area.my);
+    given[0] = lines.numbers({"IXL", "IXINC", "IXH"});
+    given[1] = lines.numbers({"IYL", "IYINC", "IYH"});
   } else if (kind == 3 || kind == 7) {
-    read_places(lines, "I", {{"X", &block.x}, {"Y", &block.y}});
-  } else {
-    block.x = every({1.0, 1.0, double(area.mx)}, area.mx);
-    block.y = every({1.0, 1.0, double(area.my)}, area.my);
+    read_places(lines, "I", {{"X", &given[0]}, {"Y", &given[1]}});
   }
-  if (kind >= 5) return read_places(lines, "", {{"Z", &block.z}});
-  const auto depths = lines.numbers({"NZ", "ZL", "DZ"});
-  const std::size_t n = points(lines, depths[0], "NZ");
-  for (std::size_t k = 0; k < n; ++k)
-    block.z.push_back(depths[1] + static_cast<double>(k) * depths[2]);
+  if (kind >= 5)
+    read_places(lines, "", {{"Z", &given[2]}});
+  else
+    points(lines, (given[2] = lines.numbers({"NZ", "ZL", "DZ"})).front(), "NZ");
+  return stress_block(kind, given, {area.mx, area.my});
 }
 
 void read_subsurface(InputLines& lines, ContactCase& next) {
@@ -245,7 +234,7 @@ void read_subsurface(InputLines& lines, ContactCase& next) {
     if (kind == 9)
       read_places(lines, "", {{"X", &block.x}, {"Y", &block.y}, {"Z", &block.z}});
     else
-      read_elements(lines, kind, next.potential, block);
+      block = read_elements(lines, kind, next.potential);
     next.stress_blocks.push_back(block);
   }
 }

@@ -69,7 +69,7 @@ Markers markers_of(const Problem& problem, const Patch& patch) {
   const double side = track::side_sign(left), radius = input.wheel.rolling_radius;
   const track::RailPlace& rail = problem.solver.search().rail(left).place;
   track::WheelsetPose pose = patch.placed->contact.pose;
-  pose.height += patch.placed->sinking;
+  pose.height = patch.placed->height();
   const contact::Axle axle = track::place_axle(pose, input, left);
   const Vector3 origin = track::profile_origin(axle, radius);
   Markers made;

@@ -85,11 +85,24 @@ bool feels_slip(const Scene& scene) {
   return law && law->feels_slip();
 }
 
+/// The profiles of a case, of which those with a text are in no file.
+track::ProfilePair profiles_of(contact::Case input, const ProfileTexts& texts) {
+  contact::ProfileSource& rail = input.rail.profile;
+  contact::ProfileSource& wheel = input.wheel.profile;
+  const contact::ProfileSource rail_given = rail, wheel_given = wheel;
+  if (!texts[0].empty()) rail = {};
+  if (!texts[1].empty()) wheel = {};
+  track::ProfilePair pair = track::profiles_of(input);
+  if (!texts[0].empty()) pair.rail = profiles::profile_of_text(texts[0], rail_given, false);
+  if (!texts[1].empty()) pair.wheel = profiles::profile_of_text(texts[1], wheel_given, true);
+  return pair;
+}
+
 /// The profiles with the repairs that their points need, which CONTACT makes by itself.
-track::ProfilePair repaired_profiles(contact::Case& input) {
+track::ProfilePair repaired_profiles(contact::Case& input, const ProfileTexts& texts) {
   constexpr int most_repairs = 4;  // of both profiles
   for (int repairs = 0;; ++repairs) try {
-      return track::profiles_of(input);
+      return profiles_of(input, texts);
     } catch (const profiles::RepairableProfile& fault) {
       if (repairs == most_repairs) throw;
       for (const std::string& line : fault.repairs) {
@@ -135,8 +148,6 @@ void Solver::set_case(Equivalent made, const ProfileTexts& texts) {
 }
 
 void Solver::read_profiles(const ProfileTexts& texts) {
-  input_.rail.profile.text = texts[0];
-  input_.wheel.profile.text = texts[1];
   const std::string profile_keys =
       keys_of(*made_, {"wheel", "rail", "wheel_profile", "rail_profile"}) + texts[0] + texts[1];
   std::string search_keys = keys_of(*made_, {"track", "rail_displacement"});
@@ -145,7 +156,7 @@ void Solver::read_profiles(const ProfileTexts& texts) {
   const bool varies = profiles_.wheel_sections || profiles_.rail_sections;
   if (!varies && profile_keys == profile_keys_ && search_keys == search_keys_) return;
   try {
-    if (profile_keys != profile_keys_) profiles_ = repaired_profiles(input_);
+    if (profile_keys != profile_keys_) profiles_ = repaired_profiles(input_, texts);
     profile_keys_ = search_keys_ = "";
     track::take_first_sections(input_, profiles_);
     placed_.search = track::make_search_scene(input_, profiles_);

@@ -40,7 +40,9 @@ struct BlockStresses {
 /// A contact on the track: what its place, frames and the forces of the wheel follow from.
 struct PlacedPatch {
   track::WheelRailContact contact;
-  double sinking = 0.0;          ///< mm, of the wheel below first touch
+  double sinking = 0.0;  ///< mm, of the wheel below first touch
+  /// mm, of the wheelset under the load.
+  double height() const { return contact.pose.height + sinking; }
   double circumferential = 1.0;  ///< speed of the wheel's surface over the forward speed
 };
 
@@ -90,7 +92,6 @@ class Solver {
 
   std::optional<convert::Equivalent> made_;  ///< that input_ follows from
   contact::Case input_;
-  ProfileTexts texts_;
   std::string profile_keys_, search_keys_;  ///< by which profiles_ and placed_ were made
   track::ProfilePair profiles_;
   track::PlacedWheels placed_;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "convert/stress_block.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,47 +20,22 @@ namespace {
 
 using Axes = std::array<std::vector<double>, 3>;
 
-/// Numbers of elements from 1 as CONTACT counts: all, `first, step, last`, or each.
-std::vector<double> chosen(int kind, const std::vector<double>& given, int count) {
-  if (kind == 1 || kind == 5) {
-    std::vector<double> all;
-    for (int k = 1; k <= count; ++k) all.push_back(k);
-    return all;
-  }
-  if (kind == 3 || kind == 7) return given;
-  demand_values(static_cast<int>(given.size()), 3);
-  std::vector<double> some;
-  for (double k = std::max(given[0], 1.0); k <= std::min<double>(given[2], count);
-       k += std::max(given[1], 1.0))
-    some.push_back(k);
-  return some;
-}
-
 /// x, y, z in mm in CONTACT's axes of the patch.
 Axes axes_of(const Block& block, const Units& units, const Patch& patch) {
-  Axes axes;
-  const auto& [x, y, z] = block.given;
-  if (block.kind == 9) {
-    for (std::size_t c = 0; c < 2; ++c)
-      for (const double value : block.given[c]) axes[c].push_back(units.in(value));
-  } else {
-    const auto place = [](double number, int count, double first, double step, bool turned) {
-      const double k = number - 1.0;
-      return turned ? -(first + (count - 1 - k) * step) : first + k * step;
-    };
-    const contact::ContactGrid& g = patch.grid;
-    for (const double k : chosen(block.kind, x, patch.nx))
-      axes[0].push_back(place(k, patch.nx, g.x(patch.first_column), g.dx, patch.turns_columns));
-    for (const double k : chosen(block.kind, y, patch.ny))
-      axes[1].push_back(place(k, patch.ny, g.y(patch.first_row), g.dy, patch.turns_rows));
-  }
-  if (block.kind >= 5) {
-    for (const double value : z) axes[2].push_back(units.in(value));
-    return axes;
-  }
-  demand_values(static_cast<int>(z.size()), 3);
-  if (!(z[0] >= 1.0 && z[0] <= 10000.0)) throw Refusal(err_other, "NZ: allowed: 1 to 10000");
-  for (int k = 0; k < static_cast<int>(z[0]); ++k) axes[2].push_back(units.in(z[1] + k * z[2]));
+  const auto& z = block.given[2];
+  if (block.kind < 5 && !(z.size() >= 3 && z[0] >= 1.0 && z[0] <= 10000.0))
+    throw Refusal(err_other, "NZ, ZL, DZ: NZ: allowed: 1 to 10000");
+  const convert::StressBlock made =
+      convert::stress_block(block.kind, block.given, {patch.nx, patch.ny});
+  Axes axes{made.x, made.y, made.z};
+  const contact::ContactGrid& g = patch.grid;
+  const auto place = [&](double& value, int count, double first, double step, bool turned) {
+    const double k = turned ? count - value : value - 1.0;
+    value = made.by_element ? (turned ? -1.0 : 1.0) * (first + k * step) : units.in(value);
+  };
+  for (double& x : axes[0]) place(x, patch.nx, g.x(patch.first_column), g.dx, patch.turns_columns);
+  for (double& y : axes[1]) place(y, patch.ny, g.y(patch.first_row), g.dy, patch.turns_rows);
+  for (double& depth : axes[2]) depth = units.in(depth);
   return axes;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The functions that return results of wheel and rail: places, forces on the track, profiles.
 #include "bindings/contact/frames.hpp"
-#include "bindings/contact/library.hpp"
-#include "bindings/contact/rollfem/contact_addon.h"
+#include "bindings/contact/rows.hpp"
 #include "profiles/profile_curve.hpp"
 
 #include <fmt/format.h>
@@ -20,26 +19,12 @@ namespace {
 using Eigen::Vector3d;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Fills an array of the client by a function, with nan where that fails.
-void fill(const char* function, std::initializer_list<const void*> arguments, const int* lenarr,
-          double* values, const std::function<void(std::vector<double>&)>& work) {
-  guarded(function, arguments, nullptr, [&] {
-    if (*lenarr < 0 || *lenarr > 10'000'000) throw Refusal(err_other, "LENARR is impossible");
-    std::fill_n(values, *lenarr, none);
-    std::vector<double> found;
-    work(found);
-    std::copy_n(found.begin(),
-                std::min<std::size_t>(found.size(), static_cast<std::size_t>(*lenarr)), values);
-    return 0;
-  });
-}
-
 /// Places in mm as the client counts them: lengths[k] tells which values are lengths.
 void append(const Units& units, std::initializer_list<double> lengths, std::vector<double>& to) {
   for (const double value : lengths) to.push_back(units.out(value));
 }
 
-std::vector<double> location_of(const Problem& problem, const Patch& patch) {
+Values location_of(Problem& problem, const Patch& patch) {
   if (!patch.placed) throw Refusal(err_icp, "only module 1 has locations");
   const Units& units = problem.units;
   const Markers markers = markers_of(problem, patch);
@@ -185,71 +170,68 @@ std::vector<double> parameters_of(const Problem& problem, const Patch& patch, in
 
 extern "C" {
 
-void cntc_getcontactlocation(const int* ire, const int* icp, const int* lenarr, double* rvalues) {
-  fill("cntc_getcontactlocation", {ire, icp, lenarr, rvalues}, lenarr, rvalues,
-       [&](std::vector<double>& v) {
-         for_patch(*ire, *icp,
-                   [&](Problem& problem, const Patch& patch) { v = location_of(problem, patch); });
-       });
-}
+ADDON_ARRAY(cntc_getcontactlocation, location_of)
 
 void cntc_getglobalforces(const int* ire, const int* icp, const int* lenarr, double* rvalues) {
-  fill("cntc_getglobalforces", {ire, icp, lenarr, rvalues}, lenarr, rvalues,
-       [&](std::vector<double>& v) {
-         for_problem(*ire, *icp, [&](Problem& problem) {
-           if (problem.given.module != 1) throw Refusal(err_icp, "only module 1 has a track");
-           if (problem.cases == 0) throw Refusal(err_icp, "it is not solved");
-           std::vector<const Patch*> patches;
-           for (const Patch& patch : problem.patches) patches.push_back(&patch);
-           const auto number = static_cast<std::size_t>(std::max(*icp, 0));
-           if (number > patches.size()) throw Refusal(err_icp, "there is no such patch");
-           if (number > 0) patches = {patches[number - 1]};
-           v = global_forces(problem, patches);
-         });
-       });
+  fill("cntc_getglobalforces", {ire, icp}, lenarr, rvalues, [&] {
+    Values v;
+    for_problem(*ire, *icp, [&](Problem& problem) {
+      if (problem.given.module != 1) throw Refusal(err_icp, "only module 1 has a track");
+      if (problem.cases == 0) throw Refusal(err_icp, "it is not solved");
+      std::vector<const Patch*> patches;
+      for (const Patch& patch : problem.patches) patches.push_back(&patch);
+      const auto number = static_cast<std::size_t>(std::max(*icp, 0));
+      if (number > patches.size()) throw Refusal(err_icp, "there is no such patch");
+      if (number > 0) patches = {patches[number - 1]};
+      v = global_forces(problem, patches);
+    });
+    return v;
+  });
 }
 
 void cntc_getwheelsetposition(const int* ire, const int* lenarr, double* rvalues) {
-  fill("cntc_getwheelsetposition", {ire, lenarr, rvalues}, lenarr, rvalues,
-       [&](std::vector<double>& v) {
-         for_pair(*ire, [&](Problem& problem) {
-           const auto& [s, y, z, roll, yaw, pitch] = problem.given.wheel_rail.position;
-           append(problem.units, {s, y}, v);
-           const bool found = problem.given.digits.N == 1 && !problem.patches.empty();
-           const Patch* patch = found ? &problem.patches.front() : nullptr;
-           append(problem.units,
-                  {patch ? patch->placed->contact.pose.height + patch->placed->sinking : z}, v);
-           v.insert(v.end(), {roll, yaw, pitch});
-         });
-       });
+  fill("cntc_getwheelsetposition", {ire}, lenarr, rvalues, [&] {
+    Values v;
+    for_pair(*ire, [&](Problem& p) {
+      const auto& [s, y, z, roll, yaw, pitch] = p.given.wheel_rail.position;
+      const bool found = p.given.digits.N == 1 && !p.patches.empty();
+      append(p.units, {s, y, found ? p.patches.front().placed->height() : z}, v);
+      v.insert(v.end(), {roll, yaw, pitch});
+    });
+    return v;
+  });
 }
 
 void cntc_getwheelsetvelocity(const int* ire, const int* lenarr, double* rvalues) {
-  fill("cntc_getwheelsetvelocity", {ire, lenarr, rvalues}, lenarr, rvalues,
-       [&](std::vector<double>& v) {
-         for_pair(*ire, [&](Problem& problem) {
-           const auto& [vs, vy, vz, roll, yaw, pitch] = problem.given.wheel_rail.velocity;
-           const bool roller = problem.given.digits.config >= 4;
-           v.push_back(roller ? vs : problem.units.out(vs));
-           append(problem.units, {vy, vz}, v);
-           v.insert(v.end(), {roll, yaw, pitch});
-         });
-       });
+  fill("cntc_getwheelsetvelocity", {ire}, lenarr, rvalues, [&] {
+    Values v;
+    for_pair(*ire, [&](Problem& p) {
+      const auto& [vs, vy, vz, roll, yaw, pitch] = p.given.wheel_rail.velocity;
+      v = {p.given.digits.config >= 4 ? vs : p.units.out(vs),
+           p.units.out(vy),
+           p.units.out(vz),
+           roll,
+           yaw,
+           pitch};
+    });
+    return v;
+  });
 }
 
 void cntc_getprofilevalues(const int* ire, const int* itask, const int* nints, const int* iparam,
                            const int* nreals, const double* rparam, const int* lenarr,
                            double* val) {
-  fill("cntc_getprofilevalues", {ire, itask, nints, nreals, lenarr, val}, lenarr, val,
-       [&](std::vector<double>& values) {
-         if ((*nints > 0 && iparam == nullptr) || (*nreals > 0 && rparam == nullptr))
-           throw Refusal(err_other, "an argument is null");
-         if (*lenarr > 0 && *itask <= 0) val[0] = err_profil;  // until the profile is read
-         for_pair(*ire, [&](Problem& problem) {
-           profile_values(problem, *itask, *nints > 0 && iparam[0] == 1, *nints > 1 ? iparam[1] : 0,
-                          *nreals > 0 && rparam[0] > 0.0 ? rparam[0] : 1.0, values);
-         });
-       });
+  fill("cntc_getprofilevalues", {ire, itask, nints, nreals}, lenarr, val, [&] {
+    if ((*nints > 0 && iparam == nullptr) || (*nreals > 0 && rparam == nullptr))
+      throw Refusal(err_other, "an argument is null");
+    if (*lenarr > 0 && *itask <= 0) val[0] = err_profil;  // until the profile is read
+    Values values;
+    for_pair(*ire, [&](Problem& problem) {
+      profile_values(problem, *itask, *nints > 0 && iparam[0] == 1, *nints > 1 ? iparam[1] : 0,
+                     *nreals > 0 && rparam[0] > 0.0 ? rparam[0] : 1.0, values);
+    });
+    return values;
+  });
 }
 
 void cntc_getprofilevalues_new(const int* ire, const int* itask, const int* nints,
@@ -260,12 +242,13 @@ void cntc_getprofilevalues_new(const int* ire, const int* itask, const int* nint
 
 void cntc_getparameters(const int* ire, const int* icp, const int* itask, const int* lenarr,
                         double* values) {
-  fill("cntc_getparameters", {ire, icp, itask, lenarr, values}, lenarr, values,
-       [&](std::vector<double>& v) {
-         for_patch(*ire, *icp, [&](Problem& problem, const Patch& patch) {
-           v = parameters_of(problem, patch, *itask);
-         });
-       });
+  fill("cntc_getparameters", {ire, icp, itask}, lenarr, values, [&] {
+    Values v;
+    for_patch(*ire, *icp, [&](Problem& problem, const Patch& patch) {
+      v = parameters_of(problem, patch, *itask);
+    });
+    return v;
+  });
 }
 
 }  // extern "C"

@@ -2,8 +2,7 @@
 // The functions that set wheel, rail and track of module 1.
 #include "base/errors.hpp"
 #include "base/text_fields.hpp"
-#include "bindings/contact/library.hpp"
-#include "bindings/contact/rollfem/contact_addon.h"
+#include "bindings/contact/rows.hpp"
 
 #include <fmt/format.h>
 
@@ -19,41 +18,67 @@ namespace rollfem::addon {
 
 namespace {
 
-using Values = std::vector<double>;
 using convert::WheelRail;
 
-void set_pair(const char* function, const int* ire, std::initializer_list<const void*> others,
-              const std::function<void(Problem&)>& work) {
-  guarded(function, {ire}, nullptr, [&] {
-    if (std::find(others.begin(), others.end(), nullptr) != others.end())
-      throw Refusal(err_other, "an argument is null");
-    for_pair(*ire, work);
-    return 0;
-  });
-}
-
-/// The first values in mm: a power of length for each.
-Values taken(const Units& units, const double* values, int count, const std::vector<int>& powers) {
-  demand_values(count, static_cast<int>(powers.size()));
-  if (values == nullptr) throw Refusal(err_other, "an argument is null");
-  Values made;
-  for (std::size_t k = 0; k < powers.size(); ++k) {
-    if (!std::isfinite(values[k])) throw Refusal(err_other, "a value is not finite");
-    made.push_back(units.in(values[k], powers[k]));
-  }
-  return made;
-}
-
 /// GAUGHT, GAUGSQ or RAILY0, GAUGWD or RAILZ0, CANT and, on rollers, NOMRAD.
-void set_track(const double* params, int count, Problem& problem) {
-  const Units& units = problem.units;
-  const bool roller = problem.given.digits.config >= 4;
-  const Values v = roller ? taken(units, params, count, {1, 0, 1, 0, 1})
-                          : taken(units, params, count, {1, 0, 1, 0});
-  const bool by_gauge = v[0] > 0.0;
-  problem.given.wheel_rail.track = {v[0], by_gauge ? v[1] : units.in(params[1]), v[2],
-                                    roller ? v[4] : v[3]};
-  if (count > 5 && params[5] != 0.0) throw Refusal(err_other, "CURV: a curved track");
+void set_dimensions(const Values& given, Problem& problem) {
+  const bool by_gauge = !given.empty() && given[0] > 0.0;
+  std::vector<int> powers{1, by_gauge ? 0 : 1, 1, 0};
+  if (problem.given.digits.config >= 4) powers.push_back(1);
+  const Values v = taken(problem.units, given, powers);
+  problem.given.wheel_rail.track = {v[0], v[1], v[2], v.back()};
+  if (given.size() > 5 && given[5] != 0.0) throw Refusal(err_other, "CURV: a curved track");
+}
+
+void set_track(int digit, const Values& given, Problem& problem) {
+  WheelRail& pair = problem.given.wheel_rail;
+  const auto take = [&](Values& to, const Values& from, const std::vector<int>& powers) {
+    to = taken(problem.units, from, powers);
+  };
+  const std::vector<int> deviations{1, 1, 0, 1, 1, 0};
+  if (digit == 32 || digit == 33) {
+    take(pair.springs, given, {-1, 0, -1, 0});
+    problem.given.digits.F = 3;
+  } else if (digit == 1) {
+    set_dimensions(given, problem);
+  } else if (digit == 2) {
+    take(pair.rail_deviations, given, deviations);
+  } else if (digit == 3) {  // older clients leave out NOMRAD and CURV, or CURV alone
+    const auto middle =
+        given.end() - std::min<std::ptrdiff_t>(6, static_cast<std::ptrdiff_t>(given.size()));
+    set_dimensions(Values(given.begin(), middle), problem);
+    take(pair.rail_deviations, Values(middle, given.end()), deviations);
+  } else if (digit != 0) {
+    throw Refusal(err_other, fmt::format("ZTRACK = {}: allowed: 0 to 3, 32, 33", digit));
+  }
+}
+
+void set_wheelset(int digit, const Values& given, Problem& problem) {
+  if (digit != 3 && digit != 5) return;
+  const Values v = taken(problem.units, given, {1, 1, 1});
+  std::copy(v.begin(), v.end(), problem.given.wheel_rail.wheelset.begin());
+}
+
+void set_position(int digit, const Values& given, Problem& problem) {
+  if (digit <= 0) return;
+  const Values v = taken(problem.units, given, {1, 1, 1, 0, 0, 0});
+  std::copy(v.begin(), v.end(), problem.given.wheel_rail.position.begin());
+}
+
+/// The last is VPITCH, or FX or MY where F = 1 or 2.
+void set_velocity(int digit, const Values& given, Problem& problem) {
+  if (digit <= 1) return;
+  const convert::Digits& digits = problem.given.digits;
+  const Values v =
+      taken(problem.units, given, {digits.config >= 4 ? 0 : 1, 1, 1, 0, 0, digits.F == 2 ? 1 : 0});
+  std::copy(v.begin(), v.end(), problem.given.wheel_rail.velocity.begin());
+}
+
+void set_flexibility(int digit, const Values& given, Problem& problem) {
+  std::vector<double>& wheel = problem.given.wheel_rail.wheel_deviations;
+  wheel.clear();
+  if (digit == 4 || digit == 5)
+    wheel = taken(problem.units, given, {1, 1, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0});
 }
 
 /// Whether the parameters or the ending of the file say that this is a wheel.
@@ -108,6 +133,15 @@ void read_input(const std::string& file, Problem& problem) {
   problem.creepage[2] = read.kinematics[3];
   if (read.module == 1) problem.normal_force = read.wheel_rail.position[2];
   problem.profile_text = {};
+  problem.blocks.clear();
+  const auto back = [&](std::vector<double> values) {
+    for (double& value : values) value = problem.units.out(value);
+    return values;
+  };
+  for (const convert::StressBlock& block : read.stress_blocks)  // the numbers of elements, or mm
+    problem.blocks[static_cast<int>(problem.blocks.size()) + 1] =
+        block.by_element ? Block{7, {block.x, block.y, back(block.z)}}
+                         : Block{9, {back(block.x), back(block.y), back(block.z)}};
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   for (convert::ProfileFile* profile :
        {&problem.given.wheel_rail.rail, &problem.given.wheel_rail.wheel})
@@ -136,98 +170,48 @@ void cntc_readinpfile(const int* ire, const int* inp_type, const char* fname, co
   });
 }
 
+ADDON_PAIR_VALUES(cntc_settrackdimensions, set_track)
+ADDON_PAIR_VALUES(cntc_setwheelsetdimensions, set_wheelset)
+ADDON_PAIR_VALUES(cntc_setwheelsetposition, set_position)
+ADDON_PAIR_VALUES(cntc_setwheelsetvelocity, set_velocity)
+ADDON_PAIR_VALUES(cntc_setwheelsetflexibility, set_flexibility)
+
 void cntc_setverticalforce(const int* ire, const double* fz) {
-  set_pair("cntc_setverticalforce", ire, {fz}, [&](Problem& problem) {
-    problem.normal_force = *fz;
-    problem.given.digits.N = 1;
-  });
+  constexpr int one = 1;
+  set_pair_values(
+      "cntc_setverticalforce", ire, &one, &one, fz,
+      [](int, const Values& v, Problem& p) { p.normal_force = v[0], p.given.digits.N = 1; });
 }
 
 void cntc_setprofileinputfname(const int* ire, const char* fname, const int* len_fname,
                                const int* nints, const int* iparam, const int* nreals,
                                const double* rparam) {
-  set_pair("cntc_setprofileinputfname", ire, {fname, len_fname, nints, nreals},
-           [&](Problem& problem) {
-             demand_arrays(nints, iparam, nreals, rparam);
-             const std::string name = text_of(fname, *len_fname);
-             set_profile(Library::here().path_of(name), "", is_wheel(iparam, *nints, name), iparam,
-                         *nints, rparam, *nreals, problem);
-           });
+  guarded("cntc_setprofileinputfname", {ire, fname, len_fname, nints, nreals}, nullptr, [&] {
+    for_pair(*ire, [&](Problem& problem) {
+      demand_arrays(nints, iparam, nreals, rparam);
+      const std::string name = text_of(fname, *len_fname);
+      set_profile(Library::here().path_of(name), "", is_wheel(iparam, *nints, name), iparam, *nints,
+                  rparam, *nreals, problem);
+    });
+    return 0;
+  });
 }
 
 void cntc_setprofileinputvalues(const int* ire, const int* npoint, const double* values,
                                 const int* nints, const int* iparam, const int* nreals,
                                 const double* rparam) {
-  set_pair("cntc_setprofileinputvalues", ire, {npoint, values, nints, nreals},
-           [&](Problem& problem) {
-             demand_arrays(nints, iparam, nreals, rparam);
-             if (*npoint < 3 || *npoint > 1'000'000)
-               throw Refusal(err_profil, "NPOINT: allowed: 3 to 1000000");
-             std::string text;
-             for (int k = 0; k < *npoint; ++k)
-               text += fmt::format("{:.17g} {:.17g}\n", values[2 * k], values[2 * k + 1]);
-             set_profile("values.txt", text, is_wheel(iparam, *nints, ""), iparam, *nints, rparam,
-                         *nreals, problem);
-           });
-}
-
-void cntc_settrackdimensions(const int* ire, const int* ztrack, const int* nparam,
-                             const double* params) {
-  set_pair("cntc_settrackdimensions", ire, {ztrack, nparam}, [&](Problem& problem) {
-    WheelRail& pair = problem.given.wheel_rail;
-    const std::vector<int> deviations{1, 1, 0, 1, 1, 0};
-    if (*ztrack == 0) return;
-    if (*ztrack == 32 || *ztrack == 33) {
-      pair.springs = taken(problem.units, params, *nparam, {-1, 0, -1, 0});
-      problem.given.digits.F = 3;
-      return;
-    }
-    if (*ztrack < 0 || *ztrack > 3)
-      throw Refusal(err_other, fmt::format("ZTRACK = {}: allowed: 0 to 3, 32, 33", *ztrack));
-    // Older clients leave out NOMRAD and CURV, or CURV alone.
-    const int dimensions = *ztrack == 3 ? *nparam - 6 : *nparam;
-    if (*ztrack != 2) set_track(params, dimensions, problem);
-    if (*ztrack == 2) pair.rail_deviations = taken(problem.units, params, *nparam, deviations);
-    if (*ztrack == 3)
-      pair.rail_deviations = taken(problem.units, params + dimensions, 6, deviations);
-  });
-}
-
-void cntc_setwheelsetdimensions(const int* ire, const int* ewheel, const int* nparam,
-                                const double* params) {
-  set_pair("cntc_setwheelsetdimensions", ire, {ewheel, nparam}, [&](Problem& problem) {
-    if (*ewheel != 3 && *ewheel != 5) return;
-    const Values v = taken(problem.units, params, *nparam, {1, 1, 1});
-    std::copy(v.begin(), v.end(), problem.given.wheel_rail.wheelset.begin());
-  });
-}
-
-void cntc_setwheelsetposition(const int* ire, const int* ewheel, const int* nparam,
-                              const double* params) {
-  set_pair("cntc_setwheelsetposition", ire, {ewheel, nparam}, [&](Problem& problem) {
-    if (*ewheel <= 0) return;
-    const Values v = taken(problem.units, params, *nparam, {1, 1, 1, 0, 0, 0});
-    std::copy(v.begin(), v.end(), problem.given.wheel_rail.position.begin());
-  });
-}
-
-void cntc_setwheelsetvelocity(const int* ire, const int* ewheel, const int* nparam,
-                              const double* params) {
-  set_pair("cntc_setwheelsetvelocity", ire, {ewheel, nparam}, [&](Problem& problem) {
-    if (*ewheel <= 1) return;
-    const bool roller = problem.given.digits.config >= 4;
-    const Values v = taken(problem.units, params, *nparam, {roller ? 0 : 1, 1, 1, 0, 0, 0});
-    std::copy(v.begin(), v.end(), problem.given.wheel_rail.velocity.begin());
-  });
-}
-
-void cntc_setwheelsetflexibility(const int* ire, const int* ewheel, const int* nparam,
-                                 const double* params) {
-  set_pair("cntc_setwheelsetflexibility", ire, {ewheel, nparam}, [&](Problem& problem) {
-    std::vector<double>& wheel = problem.given.wheel_rail.wheel_deviations;
-    wheel.clear();
-    if (*ewheel == 4 || *ewheel == 5)
-      wheel = taken(problem.units, params, *nparam, {1, 1, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0});
+  guarded("cntc_setprofileinputvalues", {ire, npoint, values, nints, nreals}, nullptr, [&] {
+    for_pair(*ire, [&](Problem& problem) {
+      demand_arrays(nints, iparam, nreals, rparam);
+      if (*npoint < 3 || *npoint > 1'000'000)
+        throw Refusal(err_profil, "NPOINT: allowed: 3 to 1000000");
+      std::string text;
+      for (int k = 0; k < *npoint; ++k)
+        text += fmt::format("{:.17g} {:.17g}\n", values[2 * k], values[2 * k + 1]);
+      set_profile("values.txt", text, is_wheel(iparam, *nints, ""), iparam, *nints, rparam, *nreals,
+                  problem);
+    });
+    return 0;
   });
 }
 
