@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Heat below the surface against integrals of its own, and through the package.
 Call: heat.py SOURCE_FOLDER PROGRAM; rollfem is found by PYTHONPATH."""
+import sys
 import tempfile
 import types
 import unittest
@@ -14,6 +15,7 @@ from rollfem.heat import HeatedBody
 CASE = rollfem.Case(load={"normal_force": 100e3}, friction={"coefficient": 0.3}, wheel={"rolling_radius": 460.0, "transverse_radius": np.inf},
                     rail={"transverse_radius": 300.0}, rolling={"longitudinal_creepage": 0.02, "speed": 30e3},
                     rail_heat={"temperature": 20.0}, contact_grid={"elements_across": 24})
+SOURCE = sys.argv[1] if len(sys.argv) > 1 else "."
 EFFUSIVITY, DIFFUSIVITY, SPEED = 13.29, 14.0, 30e3
 
 
@@ -92,7 +94,7 @@ class Below(unittest.TestCase):
         # Positions that stay are steady rolling in the end; the other wheel is the mirror image.
         ends = []
         for side, sign, length in (("left", 1, 0.9), ("right", -1, 0.9), ("left", 1, 2.5)):
-            case = rollfem.Case(str(SOURCE / "cases/s1002_uic60_left.toml")).with_(
+            case = rollfem.Case(f"{SOURCE}/cases/s1002_uic60_left.toml").with_(
                 friction={"coefficient": 0.3}, wheelset={"side": side, "lateral_shift": 2.0 * sign}, rail_heat={"temperature": 20.0},
                 wheel_heat={"temperature": 60.0}, elements_across=10, rolling={"speed": 20e3, "longitudinal_creepage": 0.02}, output={"paths": []})
             steady = rollfem.solve(case, model="halfspace").models[0].points[0]
@@ -143,7 +145,7 @@ class Below(unittest.TestCase):
     def test_tables_of_a_wheel_have_the_rise_on_both_sides(self):
         found = []
         for side, sign in (("left", 1), ("right", -1)):
-            case = rollfem.Case(str(SOURCE / "cases/s1002_uic60_left.toml")).with_(
+            case = rollfem.Case(f"{SOURCE}/cases/s1002_uic60_left.toml").with_(
                 wheelset={"side": side}, rail_heat={"temperature": 20.0}, elements_across=12, rolling={"speed": 20e3},
                 table={"lateral_shift": [2.0 * sign], "longitudinal_values": [0.0, 1.0, 3.0], "lateral_values": [0.0, 1.0],
                        "spin_values": [0.0, 1.0], "check_points": 0})
