@@ -116,6 +116,15 @@ Eigen::ArrayXd evened_out(const Field& resolved, Eigen::ArrayXd rows) {
   return sum > 0.0 ? Eigen::ArrayXd(sum / rows.sum() * rows) : rows;
 }
 
+/// From a slip by central differences; returns the work of the rows.
+Eigen::ArrayXd set_frictional_work(const ContactGrid& grid, const SurfaceField& traction,
+                                   const TangentialField& slip, PointResult& point) {
+  Eigen::ArrayXd rows = evened_out(pass_work(grid, traction, point.fields.slip),
+                                   pass_work(grid, traction, slip).array());
+  point.frictional_work = grid.dy * rows.sum();
+  return rows;
+}
+
 }  // namespace
 
 void set_works(const ContactGrid& grid, const PatchShape& shape, const TangentialField& rigid_slip,
@@ -124,9 +133,7 @@ void set_works(const ContactGrid& grid, const PatchShape& shape, const Tangentia
   const SurfaceField traction = times_stretch(point.fields.traction, shape);
   const TangentialField slip{rigid_slip.x + slope_along(grid, u.x),
                              rigid_slip.y + slope_along(grid, u.y)};
-  Eigen::ArrayXd rows = evened_out(pass_work(grid, traction, point.fields.slip),
-                                   pass_work(grid, traction, slip).array());
-  point.frictional_work = grid.dy * rows.sum();
+  Eigen::ArrayXd rows = set_frictional_work(grid, traction, slip, point);
   point.creepage_work =
       power_balance(grid, traction, slip, point.creepage, 1.0, extra_slip).creepage;
   // Friction moves the pressure of unlike half-spaces, which then resists rolling.
@@ -135,6 +142,11 @@ void set_works(const ContactGrid& grid, const PatchShape& shape, const Tangentia
   if (shape.stretch.size() != 0)
     for (int j = 0; j < grid.ny; ++j) rows[j] /= shape.stretch[grid.index(0, j)];
   set_pass_work(grid, rows.matrix(), point);
+}
+
+void set_works(const ContactGrid& grid, const TangentialField& central_slip, PointResult& point) {
+  const SurfaceField& traction = point.fields.traction;
+  set_pass_work(grid, set_frictional_work(grid, traction, central_slip, point).matrix(), point);
 }
 
 double approach_of_ellipsoid(const ContactFields& fields) {

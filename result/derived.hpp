@@ -49,6 +49,9 @@ void set_pass_work(const ContactGrid& grid, const Field& rows, PointResult& poin
 void set_works(const ContactGrid& grid, const PatchShape& shape, const TangentialField& rigid_slip,
                const TangentialField& extra_slip, bool half_spaces, PointResult& point);
 
+/// Sets `frictional_work` and its distribution from a slip by central differences on a plane grid.
+void set_works(const ContactGrid& grid, const TangentialField& central_slip, PointResult& point);
+
 /// Approach of bodies under Hertz's pressure p, mm: 7/6 of the mean of u_n = delta - A x^2 - B y^2
 /// with the weight p^3, which edges hardly reach, because A a^2 + B b^2 = delta.
 double approach_of_ellipsoid(const ContactFields& fields);

@@ -17,10 +17,17 @@ namespace rollfem::contact {
 /// Elements on which a contact has left tractions.
 struct PastPatch {
   ContactGrid grid;
-  SurfaceField traction;       ///< MPa
-  Field coefficient, plastic;  ///< mu and u*; empty where friction remembers nothing
+  SurfaceField traction;        ///< MPa
+  Field coefficient, plastic;   ///< mu and u*; empty where friction remembers nothing
+  Field heat_wheel, heat_rail;  ///< flows into the bodies, N/(mm s); empty without heat
 };
 using PastPatches = std::vector<PastPatch>;
+
+/// The heat of an earlier step. Along x its elements lie as they did in the frame of that step.
+struct PastHeat {
+  double length = 0.0;  ///< mm rolled; infinite: steady rolling
+  PastPatches patches;
+};
 
 /// Elements of one size, and what lies on them: in the frame of the contact now, where the material
 /// has come to.
@@ -30,6 +37,7 @@ struct PastLevel {
   PastPatches last, before_last;
   /// mm rolled in the last step and in the one before; 0: there was none, or it cannot be used.
   std::array<double, 2> lengths{};
+  std::vector<PastHeat> heat;  ///< the last step first
 };
 
 /// A step and the one before as one step, which says how far forces depend on the length of steps.

@@ -3,6 +3,7 @@
 
 #include "base/pi.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rollfem::contact {
@@ -19,9 +20,12 @@ HeatedBody heated(const Body& body) {
 
 }  // namespace
 
-double SurfaceHeat::warming(double dx, int elements) const {
-  const double until = elements + 0.5, since = elements == 0 ? 0.0 : elements - 0.5;
-  return 2.0 * std::sqrt(dx / (pi * speed)) * (std::sqrt(until) - std::sqrt(since));
+Field SurfaceHeat::warming(double dx, int count) const {
+  return Field::NullaryExpr(count, [&](Eigen::Index passed) {
+    const double middle = static_cast<double>(passed);
+    return 2.0 * std::sqrt(dx / (pi * speed)) *
+           (std::sqrt(middle + 0.5) - std::sqrt(std::max(0.0, middle - 0.5)));
+  });
 }
 
 std::optional<SurfaceHeat> surface_heat(const Case& input) {

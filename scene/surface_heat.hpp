@@ -4,6 +4,7 @@
 // (Peclet number V a / kappa above 10).
 #pragma once
 
+#include "base/grid.hpp"
 #include "case/case.hpp"
 
 #include <optional>
@@ -26,12 +27,14 @@ struct SurfaceHeat {
   /// temperatures meet in between (Carslaw and Jaeger 1959, 2.15).
   double contact_temperature() const {
     return (wheel.effusivity * wheel.temperature + rail.effusivity * rail.temperature) /
-           (wheel.effusivity + rail.effusivity);
+           effusivity();
   }
-  /// Warming (K mm s/N) of a surface of effusivity 1 by a heat flow of 1 N/(mm s) through an
-  /// element of length dx that it has passed `elements` ago: 0 its own, to the middle of which heat
+  /// Of both surfaces together, where they touch.
+  double effusivity() const { return wheel.effusivity + rail.effusivity; }
+  /// Warming (K mm s/N) of a surface of effusivity 1 by a heat flow of 1 N/(mm s) through each of
+  /// `count` elements of length dx that it has passed, its own first, to the middle of which heat
   /// flows for half an element (Carslaw and Jaeger 1959, 2.9).
-  double warming(double dx, int elements) const;
+  Field warming(double dx, int count) const;
 };
 
 /// None where neither body gives its heat and friction does not follow it.

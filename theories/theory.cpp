@@ -175,11 +175,9 @@ contact::Model with_pass_work(const contact::Model& theory) {
   return [=](const Scene& scene, const Progress& progress) {
     ModelResult result = theory(scene, progress);
     contact::place_pass_work({scene.geometry, contact::Chart::plane}, scene.place, result);
-    if (scene.heat) {
-      for (PointResult& point : result.points)
-        contact::set_temperatures(result.grid, *scene.heat, point);
-      contact::warn_of_temperature(*scene.heat, result);
-    }
+    for (PointResult& point : result.points)
+      if (scene.heat) contact::set_temperatures(result.grid, *scene.heat, point);
+    contact::tell_of_heat(scene, result);
     for (PointResult& point : result.points)
       for (const contact::Quantity& quantity : contact::quantities())
         if (is_pass_work(quantity.name) && quantity.value(point))

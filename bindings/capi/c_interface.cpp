@@ -14,6 +14,7 @@
 #include "rollfem/rollfem.h"
 #include <cstddef>
 #include <string>
+#include <utility>
 
 using namespace rollfem::capi;
 using rollfem::tables::CreepTableReader;
@@ -47,13 +48,13 @@ std::string profile_of(const char* what, const char* name) {
 
 const contact::FallShape& shape_of(rollfem_law law) {
   const std::vector<contact::FallShape>& laws = contact::fall_shapes();
-  if (law >= 0 && static_cast<std::size_t>(law) < laws.size() &&
-      !laws[static_cast<std::size_t>(law)].by_temperature)
+  if (law >= 0 && static_cast<std::size_t>(law) < laws.size())
     return laws[static_cast<std::size_t>(law)];
-  throw contact::InputError(fmt::format(
-      "friction_law = {}: is not known; allowed: ROLLFEM_CONSTANT, ROLLFEM_LINEAR, "
-      "ROLLFEM_RATIONAL, ROLLFEM_EXPONENTIAL; do: fill the definition with rollfem_defaults",
-      static_cast<int>(law)));
+  throw contact::InputError(
+      fmt::format("friction_law = {}: is not known; allowed: ROLLFEM_CONSTANT, ROLLFEM_LINEAR, "
+                  "ROLLFEM_RATIONAL, ROLLFEM_EXPONENTIAL, ROLLFEM_TEMPERATURE; do: fill the "
+                  "definition with rollfem_defaults",
+                  static_cast<int>(law)));
 }
 
 int threads_of(const rollfem_definition& given) {
@@ -82,6 +83,22 @@ void place_wheels(const rollfem_definition& given, double length, contact::Named
                  {"wheelset.side", name_of(given.side)},
                  {"wheelset.flange_back_distance", given.flange_back_distance * length},
                  {"wheelset.flange_back_position", given.flange_back_position * length}});
+}
+
+void set_heat(const rollfem_definition& given, contact::NamedValues& values) {
+  if (given.has_heat == 0 && given.friction_law != ROLLFEM_TEMPERATURE) return;
+  for (const auto& [body, heat] :
+       {std::pair("wheel", &given.wheel_heat), {"rail", &given.rail_heat}}) {
+    const std::string section = std::string(body) + "_heat.";
+    values.emplace_back(section + "temperature", heat->temperature);
+    if (heat->conductivity != 0.0)
+      values.emplace_back(section + "conductivity", heat->conductivity);
+    if (heat->heat_capacity != 0.0)
+      values.emplace_back(section + "heat_capacity", heat->heat_capacity);
+    constexpr double tonnes_per_mm3 = 1e-12;
+    if (heat->density != 0.0)
+      values.emplace_back(std::string(body) + ".density", heat->density * tonnes_per_mm3);
+  }
 }
 
 /// The definition as a case, which passes the checks of case files.
@@ -121,7 +138,9 @@ contact::Case case_of(const rollfem_definition& given) {
           "law_constants[{}] = {:g}: the law {} has no such constant; allowed: 0; do: write 0", k,
           value, shape.word));
   }
-  unless_zero("rolling.speed", given.friction_law == ROLLFEM_CONSTANT ? 0.0 : 1.0);
+  set_heat(given, values);
+  const bool needs_speed = given.friction_law != ROLLFEM_CONSTANT || given.has_heat != 0;
+  unless_zero("rolling.speed", needs_speed ? 1.0 : 0.0);
   unless_zero("layer.thickness", given.layer_thickness * length);
   unless_zero("layer.shear_modulus", given.layer_shear_modulus * stress);
   unless_zero("layer.yield_stress", given.layer_yield_stress * stress);
@@ -183,6 +202,9 @@ rollfem_patch patch_of(const track::WheelPatch& of, const Units& units) {
   patch.max_pressure = point.max_pressure / units.stress();
   patch.max_pressure_bar = point.error_estimate.at("max_pressure") / units.stress();
   patch.creepage_work = point.creepage_work.value_or(0.0) / force;
+  patch.max_temperature = point.max_temperature.value_or(0.0);
+  patch.heat_wheel = point.heat_wheel.value_or(0.0) / force;
+  patch.heat_rail = point.heat_rail.value_or(0.0) / force;
   return patch;
 }
 
@@ -282,6 +304,7 @@ void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
   given.wheel_poisson_ratio = given.rail_poisson_ratio = 0.3;
   given.friction_coefficient = 0.3;
   given.elements_across = 12;
+  given.wheel_heat.temperature = given.rail_heat.temperature = contact::BodyHeat{}.temperature;
   given.threads = 1;
   place.give(given);
 }
@@ -343,7 +366,7 @@ rollfem_status rollfem_table_forces(const rollfem_table* table, const rollfem_el
                     {of.longitudinal_creepage, of.lateral_creepage, of.spin}, of.speed);
         result.check("forces", "a place for the forces");
         result.give({0, found.forces[0], found.forces[1], found.forces[2], found.force_bar,
-                     found.moment_bar});
+                     found.moment_bar, found.rise});
       },
       message, size);
 }
@@ -372,7 +395,7 @@ rollfem_status rollfem_table_wheel_forces(const rollfem_table* table,
                      found.along_normal / newtons, found.forces[2] / moment,
                      found.force_bar / newtons, found.moment_bar / moment, bound / newtons,
                      place.normal_force / newtons, place.contact_angle,
-                     place.rolling_radius / length, place.jump_after != 0.0});
+                     place.rolling_radius / length, place.jump_after != 0.0, found.rise});
       },
       message, size);
 }

@@ -23,13 +23,13 @@ using tables::CreepTableReader;
 using tables::TableForces;
 using Column = std::vector<double>;
 
-/// The table's answers to every row of columns of numbers, as columns F_x, F_y, M_z, both bars and
-/// the force along the normal.
+/// The table's answers to every row of columns of numbers, as columns F_x, F_y, M_z, both bars, the
+/// force along the normal and the rise of the temperature.
 template <class... Number>
 auto over_rows(TableForces (*ask)(const CreepTableReader&, Number...)) {
   return [ask](const CreepTableReader& reader, const std::vector<Number>&... columns) {
     const std::size_t count = std::min({columns.size()...});
-    std::vector<Column> found(6, Column(count));
+    std::vector<Column> found(7, Column(count));
     const FreeGil free;
     for (std::size_t k = 0; k < count; ++k) {
       const TableForces forces = ask(reader, columns[k]...);
@@ -37,6 +37,7 @@ auto over_rows(TableForces (*ask)(const CreepTableReader&, Number...)) {
       found[3][k] = forces.force_bar;
       found[4][k] = forces.moment_bar;
       found[5][k] = forces.along_normal;
+      found[6][k] = forces.rise;
     }
     return found;
   };

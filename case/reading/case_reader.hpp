@@ -30,8 +30,9 @@ Case make_case(const NamedValues& values, const std::string& name);
 /// ignored. Throws InputError like read_case.
 std::vector<SubsurfaceRequest> read_places(const std::string& path);
 
-/// How the case is read: every key with value, unit and whether it is the default. Multi-line text.
-std::string describe(const Case& input, const KnownNames& known = {});
+/// How the case is read: every key with value, unit and whether it is the default, or only those
+/// that the case gives. Multi-line text.
+std::string describe(const Case& input, const KnownNames& known = {}, bool every_key = true);
 
 /// A commented case file with defaults, which parse_case accepts.
 std::string case_template(const KnownNames& known = {});

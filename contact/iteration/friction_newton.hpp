@@ -34,6 +34,7 @@ class FrictionNewton {
   /// because that would hide the remaining error.
   const Eigen::Map<Eigen::VectorXd>& traction() const { return point_->traction; }
   const Eigen::Map<Eigen::VectorXd>& bound() const { return point_->bound; }
+  const Eigen::Map<Eigen::VectorXd>& slip() const { return point_->slip; }
   const std::vector<char>& adheres() const { return at_.adheres; }
   const FrictionState& state() const { return state_; }
 

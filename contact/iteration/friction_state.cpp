@@ -66,9 +66,9 @@ void FrictionState::begin(const ContactGrid& grid, const TangentialProblem& prob
   warming_.resize(0);
   if (const TemperatureFriction* by = law_->by_temperature()) {
     const SurfaceHeat& heat = by->heat();
-    const double by_flow = heat.speed / (heat.wheel.effusivity + heat.rail.effusivity);
-    warming_ = Eigen::VectorXd::NullaryExpr(
-        grid.nx, [&](Index i) { return by_flow * heat.warming(grid.dx, static_cast<int>(i)); });
+    const double passed = problem.motion.past ? problem.motion.past->length / grid.dx : grid.nx;
+    const int most = std::clamp(static_cast<int>(std::ceil(passed - 1e-9)), 1, grid.nx);
+    warming_ = heat.speed / heat.effusivity() * heat.warming(grid.dx, most);
     for (Eigen::VectorXd* values :
          {&sizes_, &flow_, &by_temperature_, &part_, &part_ahead_, &flow_change_})
       values->resize(count_);
@@ -255,9 +255,15 @@ FrictionState::Ahead FrictionState::follow_friction(Index e, double size, const 
   return {own, rate, rate_by_slip};
 }
 
+double FrictionState::cold(Index e) const {
+  if (!problem_->motion.past) return law(e).by_temperature()->heat().contact_temperature();
+  return problem_->motion.past->temperature[(*places_)[static_cast<std::size_t>(e)]];
+}
+
 double FrictionState::warmed(Index e, const Eigen::VectorXd& flows) const {
   const auto place = [&](Index f) { return (*places_)[static_cast<std::size_t>(f)]; };
-  const Index own = place(e), end = own - own % grid_->nx + grid_->nx;
+  const Index own = place(e), row = own - own % grid_->nx,
+              end = std::min(row + grid_->nx, own + warming_.size());
   double sum = 0.0;
   for (Index f = e + 1; f < count_ && place(f) < end; ++f)
     sum += warming_[place(f) - own] * flows[f];
@@ -276,7 +282,7 @@ FrictionState::Ahead FrictionState::follow_temperature(Index e, double size, con
   const bool alone = !memory_ || leads_[static_cast<std::size_t>(e)];
   part_[e] = part;
   part_ahead_[e] = alone ? 0.0 : 1.0 - carried_[e] - part;
-  const double before = own.heat().contact_temperature() + warmed(e, flow_);
+  const double before = cold(e) + warmed(e, flow_);
   const double by_bound = warming_[0] * size * pressure(e);
   const auto lacking = [&](double temperature) {
     return before + by_bound * (without + part * own.warm(temperature).value) - temperature;

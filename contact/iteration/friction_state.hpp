@@ -23,6 +23,7 @@ struct FrictionPast {
   Field coefficient;    ///< of the particle that comes to each element; empty: steady rolling
   double length = 0.0;  ///< mm rolled in the step, 1 in a shift
   Field plastic{};      ///< u*, mm; may be empty where no yield stress changes
+  Field temperature{};  ///< degC by the heat of earlier steps, where mu follows it; else empty
 };
 
 /// Result of the tangential operator: slip of steady rolling or relative displacement.
@@ -172,6 +173,8 @@ class FrictionState {
   Ahead follow_friction(Index e, double size, const Ahead& ahead,
                         const FrictionLaw::Coefficient& own);
   Ahead follow_temperature(Index e, double size, const Ahead& ahead);
+  /// Temperature before the slip of the steady state or of the step warms the element, degC.
+  double cold(Index e) const;
   /// Sum over the elements ahead in the row of their warming times `flows`, K.
   double warmed(Index e, const Eigen::VectorXd& flows) const;
   void follow_yield(Index e, double size, double size_ahead, double trial);
@@ -192,7 +195,8 @@ class FrictionState {
   Eigen::VectorXd by_own_, by_ahead_, carried_;  ///< dmu/d|w|, dmu/d|w ahead|, dmu/dmu ahead
   std::vector<Yield> yield_;                     ///< empty: no plasticity
   // Where mu follows the temperature; otherwise empty.
-  Eigen::VectorXd warming_;            ///< K by g |w|, MPa, over the distance in elements
+  /// K by g |w|, MPa, over the distance in elements that material passes in the step.
+  Eigen::VectorXd warming_;
   Eigen::VectorXd sizes_, flow_;       ///< |w|, g |w|
   Eigen::VectorXd by_temperature_;     ///< dmu_s/dT of the law, 1/K
   Eigen::VectorXd part_, part_ahead_;  ///< of mu_s of the element and of that ahead in mu

@@ -308,6 +308,7 @@ bool ContactRun::restore(std::size_t k) {
   PointResult point;
   std::string memory;
   if (!store_->find(k, result_.grid, point, state_, memory)) return false;
+  motion_->warm(k, point);
   remember(k);
   motion_->restore(point);
   elasticity_->restore(memory);
@@ -336,6 +337,7 @@ void ContactRun::solve_point(std::size_t k) {
     solve_given(k, unknowns);
   state_.tangential.states = problem_->count_states(state_, motion_->at(k, unknowns));
   PointResult point = point_result(k, unknowns);
+  motion_->warm(k, point);
   remember(k);
   if (holds_patch(scene_, result_.grid, state_.normal.pressure)) elasticity_->complete(k, point);
   point.seconds = watch.seconds();
@@ -357,6 +359,7 @@ void ContactRun::remember(std::size_t k) {
   if (state_.tangential.states > 1) ++result_.several;
   if (scene_.past && friction_ && (friction_->memory() || friction_->plasticity))
     result_.after = friction_after(friction_, result_.grid, state_);
+  if (scene_.past && scene_.heat) result_.heat = motion_->heat().front();
   if (scene_.is_history()) return;
   result_.relative_traction.push_back(relative_to_bound(
       state_.tangential.traction, traction_bound(friction_, result_.grid, state_.normal.pressure)));

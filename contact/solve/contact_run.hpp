@@ -63,6 +63,7 @@ struct LevelResult {
   std::vector<TangentialField> relative_traction;  ///< per load point; empty in a history
   std::vector<PointResult> points;
   FrictionPast after;  ///< the last step of a history, where friction remembers
+  HeatStep heat;       ///< the same, where bodies have heat
   double setup_seconds = 0.0;
   double normal_seconds = 0.0;
   double tangential_seconds = 0.0;

@@ -29,6 +29,29 @@ Friction friction_on(const Scene& scene, const ChartedGeometry& geometry) {
   return on_arc;
 }
 
+namespace {
+
+/// Flows on the elements of a grid, linear between those along x that an earlier step has left.
+Field flows_on(const ContactGrid& grid, const PastPatches& patches, Field PastPatch::*flows) {
+  Field found = Field::Zero(grid.size());
+  for (const PastPatch& patch : patches) {
+    const ContactGrid& from = patch.grid;
+    const auto rows = static_cast<int>(std::lround((grid.y_first - from.y_first) / grid.dy));
+    const double columns = (grid.x_first - from.x_first) / grid.dx, whole = std::floor(columns);
+    for (int j = std::max(0, -rows); j < std::min(grid.ny, from.ny - rows); ++j)
+      for (int i = 0; i < grid.nx; ++i) {
+        const auto at = [&, column = i + static_cast<int>(whole)](int more) {
+          const int c = column + more;
+          return c < 0 || c >= from.nx ? 0.0 : (patch.*flows)[from.index(c, j + rows)];
+        };
+        found[grid.index(i, j)] += (1.0 - columns + whole) * at(0) + (columns - whole) * at(1);
+      }
+  }
+  return found;
+}
+
+}  // namespace
+
 PointMotion::PointMotion(const Scene& scene, const ChartedGeometry& geometry,
                          const ContactGrid& grid, const std::optional<History>& inherited)
     : scene_(scene),
@@ -41,7 +64,16 @@ PointMotion::PointMotion(const Scene& scene, const ChartedGeometry& geometry,
     steps_before_ = scene.past->steps;
   }
   const Friction& law = scene.friction();
-  if (!scene.is_history() || !law || !(law->memory() || law->plasticity)) return;
+  if (scene.heat) {
+    if (scene.past)
+      for (const PastHeat& step : scene.past->levels.front().heat)
+        heat_.push_back({step.length, flows_on(grid, step.patches, &PastPatch::heat_wheel),
+                         flows_on(grid, step.patches, &PastPatch::heat_rail)});
+    left_temperature_ =
+        left_temperature(grid, *scene.heat, scene.points.front().step_length, heat_);
+  }
+  if (!scene.is_history() || !law || !(law->memory() || law->plasticity || law->by_temperature()))
+    return;
   friction_ = friction_on(scene, geometry);
   if (inherited) return;
   const Field none = Field::Zero(grid.size());
@@ -87,6 +119,7 @@ TangentialMotion PointMotion::at(std::size_t k, const Vector2d& unknowns) const 
   if (!steps) return {slip};
   TangentialMotion motion = history_.rolling_step(slip, point.step_length);
   if (friction_) motion.past = history_.past(point.step_length);
+  if (motion.past) motion.past->temperature = left_temperature_;
   return motion;
 }
 
@@ -108,6 +141,20 @@ void PointMotion::describe(std::size_t k, const Vector2d& unknowns, PointResult&
   point.lateral_shift = sum_.lateral;
   point.spin_shift = sum_.spin;
   point.distance = sum_.distance;
+}
+
+void PointMotion::warm(std::size_t k, PointResult& point) {
+  if (!scene_.heat || scene_.problem != Problem::transient) return;
+  const bool steady = scene_.problem_of(k) == Problem::steady;
+  const double length = steady ? infinity : scene_.points[k].step_length;
+  heat_.insert(heat_.begin(), set_temperatures(grid_, *scene_.heat, length, heat_, point));
+  const double next = scene_.points[std::min(k + 1, scene_.points.size() - 1)].step_length;
+  left_temperature_ = contact::left_temperature(grid_, *scene_.heat, next, heat_);
+  const double whole = grid_.nx * grid_.dx;
+  double behind = 0.0;
+  std::size_t met = 0;
+  while (met < heat_.size() && behind < whole) behind += heat_[met++].length;
+  heat_.resize(met);
 }
 
 void PointMotion::advance(std::size_t k, const ContactState& state) {

@@ -6,6 +6,7 @@
 
 #include "contact/iteration/compliance.hpp"
 #include "contact/solve/contact_problem.hpp"
+#include "result/heat/temperature.hpp"
 #include "result/result.hpp"
 #include "scene/scene.hpp"
 
@@ -96,6 +97,11 @@ class PointMotion {
   /// into `point`.
   void describe(std::size_t k, const Eigen::Vector2d& unknowns, PointResult& point);
 
+  /// Sets the temperatures of the solved load point k of transient rolling, and keeps its heat for
+  /// the next step.
+  void warm(std::size_t k, PointResult& point);
+  const HeatPast& heat() const { return heat_; }
+
   /// State that the next step inherits from load point k.
   void advance(std::size_t k, const ContactState& state);
 
@@ -116,6 +122,8 @@ class PointMotion {
   TangentialField extra_;
   Friction friction_;  ///< null: no law, or one without memory of earlier steps
   History history_;
+  HeatPast heat_;
+  Field left_temperature_;  ///< of the next step
   Sum sum_;
   int steps_before_ = 0;  ///< of Scene::past
 };

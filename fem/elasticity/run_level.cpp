@@ -447,7 +447,7 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
              [&](const RootProcess::Command& command) { shared.execute(command); });
   }
   contact::place_pass_work(geometry, scene.place, result);
-  if (scene.heat) contact::warn_of_temperature(*scene.heat, result);
+  contact::tell_of_heat(scene, result);
   return result;
 }
 

@@ -141,6 +141,27 @@ void FewElementsRolling::apply(const Given& p, Vector result) {
                           result.data());
 }
 
+void FewElementsRolling::central_slip(const InfluenceTable& table, const Given& p,
+                                      Vector result) const {
+  for (Index a = 0; a < count_; ++a) {
+    const Index at = places_[static_cast<std::size_t>(a)];
+    double along = 0.0, across = 0.0;
+    for (Index b = 0; b < count_; ++b) {
+      const Index from = places_[static_cast<std::size_t>(b)];
+      const auto rows = static_cast<int>(at / nx_ - from / nx_);
+      const auto mean = [&](const std::vector<double>& list) {
+        const double* behind = table.row(list, std::abs(rows)) + at % nx_ - from % nx_;
+        return 0.5 * (behind[0] + behind[-1]);
+      };
+      const double sideways = rows < 0 ? -mean(table.xy) : mean(table.xy);
+      along += mean(table.xx) * p[b] + sideways * p[count_ + b];
+      across += sideways * p[b] + mean(table.yy) * p[count_ + b];
+    }
+    result[a] = along;
+    result[count_ + a] = across;
+  }
+}
+
 /// The Jacobian of a single row of elements.
 void FewElementsRolling::fill_block(const Row& row, const contact::Linearisation& at, double r,
                                     double drag) {

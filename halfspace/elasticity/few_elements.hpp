@@ -33,6 +33,8 @@ class FewElementsRolling : public contact::ElementOperator {
 
   double diagonal() const override { return diagonal_; }
   void apply(const Given& p, Vector result) override;
+  /// -du/dx by central differences, without a layer.
+  void central_slip(const InfluenceTable& table, const Given& p, Vector result) const;
   void linearise(const contact::Linearisation& at, double r, double drag) override;
   void precondition(const Given& p, Vector result) override;
 

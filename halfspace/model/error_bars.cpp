@@ -337,23 +337,28 @@ void Bars::set_tractions() const {
 }
 
 void Bars::set_works() const {
-  if (!fine_.frictional_work || !fine_.creepage_work) return;
-  constexpr double of_rows = 0.28, of_largest = 2.5;
+  constexpr double of_rows = 0.28, of_largest = 2.5, size = 1.5;
+  if (fine_.max_temperature)
+    set("max_temperature", of_temperature,
+        over_grid(0.3 * (*fine_.max_temperature - fine_.fields.temperature_rail.minCoeff())));
+  // Bodies of unlike temperature exchange heat along every row, which begins and ends in an
+  // element.
+  const double exchanged = 0.75 * std::abs(value(fine_, "heat_wheel") - value(fine_, "heat_rail"));
+  if (!fine_.frictional_work || !fine_.creepage_work) {
+    for (const char* name : {"heat_wheel", "heat_rail"})
+      if (known(name))
+        set(name, of_creepage_work, over_grid(size * std::abs(value(fine_, name)) + exchanged));
+    return;
+  }
   const Field added = put_right();
   set("max_pass_work", of_pass_work,
       std::hypot(of_rows * (added.size() > 0 ? added.cwiseAbs().maxCoeff() : 0.0),
                  over_grid(of_largest * *fine_.max_pass_work)));
-  if (fine_.max_temperature)
-    set("max_temperature", of_temperature,
-        over_grid(0.3 * (*fine_.max_temperature - fine_.fields.temperature_rail.minCoeff())));
   // In full sliding it is the bound times the creepage.
-  constexpr double of_balance = 0.05, size = 1.5, of_found = 0.3;
+  constexpr double of_balance = 0.05, of_found = 0.3;
   const double adhering = part_in_adhesion();
   const double found = std::hypot(fine_.longitudinal_force * change("longitudinal_creepage"),
                                   fine_.lateral_force * change("lateral_creepage"));
-  // Bodies of unlike temperature exchange heat along every row, which begins and ends in an
-  // element.
-  const double exchanged = 0.75 * std::abs(value(fine_, "heat_wheel") - value(fine_, "heat_rail"));
   const auto set_work = [&](const char* name, double more) {
     set(name, of_creepage_work,
         root_of_squares({of_balance * adhering * imbalance(),

@@ -173,7 +173,7 @@ void add_seconds(const contact::LevelResult& level, ModelResult& result) {
 }
 
 void add_notes(const Scene& scene, ModelResult& result) {
-  if (scene.heat) contact::warn_of_temperature(*scene.heat, result);
+  contact::tell_of_heat(scene, result);
   contact::add_note(result.notes, "grid",
                     "elastic half-spaces; contact elements of {:.4g} by {:.4g} mm {}",
                     result.grid.dx, result.grid.dy, discretisation_words(scene));

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -44,6 +45,17 @@ Scene scaled_scene(const EllipseShape& shape, const std::vector<ScaledCreepage>&
   input.wheel.material = {2.0 * (1.0 + shape.poisson_ratio), shape.poisson_ratio};
   input.rail.material = input.wheel.material;
   input.rolling.creepages = creepages;
+  if (!shape.heat) return Scene(input);
+  if (!(input.rolling.speed > 0.0)) input.rolling.speed = 1.0;
+  // With beta = sqrt(V) / unit of both bodies together.
+  constexpr double per_tonne = 1e6;
+  const double effusivity = 0.5 * std::sqrt(input.rolling.speed) / shape.heat->unit;
+  for (contact::Body* body : std::initializer_list<contact::Body*>{&input.wheel, &input.rail}) {
+    contact::BodyHeat& heat = body->heat.emplace();
+    heat.temperature = shape.heat->temperature;
+    heat.capacity =
+        effusivity * effusivity / (heat.conductivity * per_tonne * body->material.density);
+  }
   return Scene(input);
 }
 
@@ -127,6 +139,10 @@ std::vector<EllipseForces> all_levels(const EllipseShape& shape, Scene scene,
     for (std::size_t k = 0; k < open.size(); ++k) {
       EllipseForces& result = results[open[k]];
       result = limit_of(forces_of(fine.points[k]), forces_of(coarse.points[k]), across);
+      if (shape.heat)
+        result.rise = (fine.points[k].max_temperature.value_or(shape.heat->temperature) -
+                       shape.heat->temperature) /
+                      shape.heat->unit;
       if (small(result.correction, accuracy.largest_correction) ||
           2 * across > accuracy.most_across)
         continue;

@@ -19,11 +19,18 @@ struct ScaledFriction {
   std::optional<contact::Layer> layer{};
 };
 
+/// Bodies whose temperature in contact rises by `unit` (K) where that of the scaled ellipse is 1.
+struct ScaledHeat {
+  double temperature = 0.0;  ///< degC, before friction heats them
+  double unit = 1.0;
+};
+
 /// Hertz's ellipse between bodies of like material.
 struct EllipseShape {
   double axis_ratio = 1.0;  ///< a/b, a along rolling
   double poisson_ratio = 0.28;
   ScaledFriction friction{};
+  std::optional<ScaledHeat> heat{};  ///< empty: no temperatures
 };
 
 /// xi and eta times G c^2 / (mu F_n), phi times G c^3 / (mu F_n), with c = sqrt(a b), the combined
@@ -38,6 +45,9 @@ struct EllipseForces {
   ScaledForces limit;
   ScaledForces correction;  ///< from the finer one to the limit: size of the error, not a bound
   int elements_across = 0;  ///< of the finer one
+  /// Largest rise of the temperature over (mu F_n)^2 sqrt(V) / (G beta c^3.5), beta of both bodies
+  /// together; on the finer one; 0 without heat.
+  double rise = 0.0;
 };
 
 struct EllipseAccuracy {

@@ -149,6 +149,8 @@ PastPatch left_by(const contact::LevelResult& solved) {
   cut(fields.traction.n, left.traction.n);
   cut(solved.after.coefficient, left.coefficient);
   cut(plastic, left.plastic);
+  cut(solved.heat.wheel, left.heat_wheel);
+  cut(solved.heat.rail, left.heat_rail);
   return left;
 }
 

@@ -5,6 +5,8 @@
 #include "contact/solve/pressure_share.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/patch/load_sharing.hpp"
+#include "result/derived.hpp"
+#include "result/heat/temperature.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -245,7 +247,7 @@ void QuickPatch::finish(const contact::Friction& friction, const double* gap,
   rows(grid_, fields.displacement.n) = rows(grid_, displacement).rowwise() * carried_.transpose();
   if (friction)
     for (const Eigen::Index k : rolling_.grid_indices())
-      fields.traction_bound[k] = friction->coefficient() * problem_.pressure[k];
+      fields.traction_bound[k] = friction->largest() * problem_.pressure[k];
   const PatchSums sums = this->sums();
   point_.creepage = given_->creepage;
   point_.longitudinal_force = sums[PatchSum::longitudinal];
@@ -270,6 +272,19 @@ void QuickPatch::finish(const contact::Friction& friction, const double* gap,
                       static_cast<double>(std::count(adheres.begin(), adheres.end(), 1)) /
                       static_cast<double>(adheres.size());
   point_.converged = true;
+}
+
+void QuickPatch::warm(const contact::SurfaceHeat& heat) {
+  contact::TangentialField& slip = point_.fields.slip;
+  slip = change_ = own_slip_;
+  slip_change_.resize(newton_.traction().size());
+  spread(newton_.slip(), slip);
+  rolling_.central_slip(table_, newton_.traction(), slip_change_);
+  spread(slip_change_, change_);
+  change_.x += problem_.motion.rigid_slip.x;
+  change_.y += problem_.motion.rigid_slip.y;
+  contact::set_works(grid_, change_, point_);
+  contact::set_temperatures(grid_, heat, point_);
 }
 
 /// Resultants of pressure and tractions; without a pressure, of the tractions alone.

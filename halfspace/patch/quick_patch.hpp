@@ -117,6 +117,8 @@ class QuickPatch {
   /// `displacement`: along the load, mm.
   void finish(const contact::Friction& friction, const double* gap, const double* displacement,
               double sinking);
+  /// Sets the works and temperatures of the finished point.
+  void warm(const contact::SurfaceHeat& heat);
   const contact::PointResult& point() const { return point_; }
   /// Resultants of the present pressure and tractions.
   PatchSums sums() const { return sum(&problem_.pressure, traction_); }

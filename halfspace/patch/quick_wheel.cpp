@@ -272,6 +272,7 @@ void QuickWheel::check(const QuickLoad& load) {
     QuickPatch* patch = loaded_[k];
     patch->finish(load.friction, solver.gap().data() + place_of(k),
                   solver.displacement().data() + place_of(k), solver.approach());
+    if (load.heat && load.friction) patch->warm(*load.heat);
     contact::NormalLoad own;
     if (loaded_.size() == 1 && !given_sinking_) {
       own.force = load.force;

@@ -20,6 +20,7 @@ struct QuickLoad {
   /// Vertical, below first touch, mm; positive.
   std::optional<double> sinking;
   contact::Friction friction;
+  std::optional<contact::SurfaceHeat> heat{};  ///< empty: no temperatures
 };
 
 enum class QuickOutcome {

@@ -77,6 +77,8 @@ void add_rows(const PastPatch& patch, const Keeps& keeps, PastPatches& parts) {
       cut(patch.traction.n, part.traction.n);
       cut(patch.coefficient, part.coefficient);
       cut(patch.plastic, part.plastic);
+      cut(patch.heat_wheel, part.heat_wheel);
+      cut(patch.heat_rail, part.heat_rail);
       parts.push_back(std::move(part));
     }
     first = end + 1;
@@ -102,6 +104,7 @@ struct Level {
   PastPatches last, before_last;
   std::array<double, 2> lengths{};
   double way = 0.0;  ///< mm rolled up to the last step
+  std::vector<contact::PastHeat> heat{};
 };
 
 /// One wheel on its rail. Each step: begin, solve (as often as its loads and rotation ask), end.
@@ -293,6 +296,8 @@ class WheelHistory {
       here.lengths = level.lengths;
       here.last = inherited(level.last, ranges, own, origin);
       here.before_last = inherited(level.before_last, ranges, own, origin);
+      for (const contact::PastHeat& step : level.heat)
+        here.heat.push_back({step.length, inherited(step.patches, ranges, own, {0.0, origin.y})});
       return here;
     };
     auto past = std::make_shared<StepPast>(past_);
@@ -353,14 +358,20 @@ class WheelHistory {
     const double length = steady_ ? next_length() : way_ - level.way;
     level.before_last = std::move(level.last);
     level.last.clear();
+    contact::PastHeat heat{steady_ ? contact::infinity : length, {}};
     for (const Scene& scene : contacts_) {
       const PastPatches& all = *scene.past->left;
       PastPatch left = all.at(all.size() - from_end);
       if (left.grid.size() == 0) continue;
       const Origin origin = origin_of(scene);
+      if (left.heat_wheel.size() > 0) {
+        heat.patches.push_back({left.grid, {}, {}, {}, left.heat_wheel, left.heat_rail});
+        move(heat.patches.back().grid, 0.0, origin.y);
+      }
       move(left.grid, origin.x, origin.y);
       level.last.push_back(std::move(left));
     }
+    if (contacts_.front().heat) remember(std::move(heat), level.heat);
     level.lengths = {length, level.lengths[0]};
     level.way = way_;
     if (!steady_) return;
@@ -369,6 +380,17 @@ class WheelHistory {
     level.before_last = whole ? level.last : PastPatches();
     level.lengths[1] = whole ? length : 0.0;
     for (PastPatch& patch : level.before_last) move(patch.grid, -length, 0.0);
+  }
+
+  /// Keeps the heat of twice the length of the patches.
+  static void remember(contact::PastHeat heat, std::vector<contact::PastHeat>& all) {
+    double kept = 0.0, behind = 0.0;
+    for (const PastPatch& patch : heat.patches)
+      kept = std::max(kept, 2.0 * patch.grid.nx * patch.grid.dx);
+    all.insert(all.begin(), std::move(heat));
+    std::size_t count = 0;
+    while (count < all.size() && behind < kept) behind += all[count++].length;
+    all.resize(count);
   }
 
   double next_length() const {

@@ -77,6 +77,7 @@ class ModelResult(Gridded, Named):
     notes: Annotated[list[Note], "what a reader must know, sources of errors among it"]
     choice: Annotated[str, "why `auto` chose it"]
     shortfall: Annotated[str, "what was requested and not reached"]
+    hot_limit: Annotated[float, "degC, wheel_heat.limit or rail_heat.limit: above it steel transforms"]
     traits: Annotated[frozenset[str], "what holds of the model, as registered: bounded, has_stress, ..."]
 
     _found: dict[tuple[Any, ...], Point] | None = None  # points by key, created on first use
@@ -99,6 +100,16 @@ class ModelResult(Gridded, Named):
             self.name, frozenset({"bounded"}))
         self.points = [Point(point, number, "" if "frictionless" in self.traits else by_number, self.place, node.parts.get("bodies"))
                        for number, (_, point) in enumerate(points)]
+
+    @property
+    def headline(self) -> Point | None:
+        """The load point whose numbers stand for the model: the last pass over bodies that yield, otherwise the first one at the
+        largest normal force; None if none has a solution."""
+        solved = [p for p in self.points if p.scalars.get("normal_force") is not None]
+        if not solved or solved[0].by_number == "pass":
+            return solved[-1] if solved else None
+        largest = max(p["normal_force"] for p in solved)
+        return next(p for p in solved if p["normal_force"] >= largest * (1 - 1e-9))
 
     @property
     def has_friction(self) -> bool:
@@ -273,6 +284,7 @@ class Result(Written):
     quantities: Annotated[dict[str, Quantity], "what the numbers are"] = field(default_factory=dict)
     profiles: Annotated[dict[tuple[str, int], dict[str, np.ndarray]], "by wheel and position rail and wheel [n, 2], y and z "
                         "on the track (mm)"] = field(default_factory=dict)
+    overlays: list[tuple[str, np.ndarray]] = field(default_factory=list)  # for creep curves: (name, [n, 2 or 3] creepage, value, bar)
     reference: str = ""  # name of the reference model of figures, if the user has chosen one
     default_reference: str = ""  # that of the command, otherwise the best one of the run
     _core: "CoreResult | None" = None
@@ -306,6 +318,8 @@ class Result(Written):
         if not history and any("yielded" in point.parts for _, model in models for point in model.parts["points"].parts.values()):
             by_number = "pass"
         made.models = [ModelResult(key, model, by_number) for key, model in models]
+        for model in made.models:
+            model.hot_limit = min((made.inputs[key] for key in ("wheel_heat.limit", "rail_heat.limit") if key in made.inputs), default=700.0)
         return made
 
     @property

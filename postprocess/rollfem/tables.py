@@ -49,6 +49,10 @@ class Table(Written, OverAxes):
     wheels: Annotated[dict[str, np.ndarray] | None, "of a table over lateral shifts contact_angle, rolling_radius, "
                       "normal_force, ...: arrays over loads, if several, and shifts"]
     force_along_normal: Annotated[np.ndarray | None, "of a table over lateral shifts, over mu F_n"]
+    temperature_rise: Annotated[np.ndarray | None, "of a case with heat: largest of the contact by friction, over (mu F_n)^2 "
+                                "sqrt(V)/(G beta c^3.5)"]
+    heat: Annotated[dict[str, float], "of a case with heat: effusivity (beta, of both bodies), temperature (degC, in contact "
+                    "before friction heats it), speed, shear_modulus; else empty"]
     only_for: Annotated[str, 'the falling friction, its speeds, or the layer that the table holds for alone, as for its '
                         'loads; "" for any constant friction']
     poisson_ratio: Annotated[float, "of both bodies"]
@@ -116,6 +120,8 @@ class Table(Written, OverAxes):
         if self.over == "lateral_shift":
             self.wheels = {name: values[()] for name, values in file["wheel"].items()}
             self.force_along_normal = file["force_along_normal"][()]
+        self.heat = {name: float(value) for name, value in file["heat"].attrs.items()} if "heat" in file else {}
+        self.temperature_rise = file["temperature_rise"][()] if self.heat else None
         group = file.get("friction" if self.wheels is None else "wheel")
         limits = {} if group is None else dict(group.attrs)
         self.only_for = limits.get("only_for", "")
@@ -172,7 +178,7 @@ class Table(Written, OverAxes):
                 1/G2)/2; in consistent units (mm, N, MPa or m, N, Pa; with `only_for` mm, N, MPa).
             lateral_shift: Of the wheelset, mm, for a table over shifts.
             load: N, of a table over shifts that has several. That of an ellipse follows from friction_bound.
-            speed: mm/s, of a table that has several.
+            speed: mm/s, of a table that has several; of temperatures otherwise that of the table's case.
             friction_bound: mu F_n; of a wheel that of all contacts, N, otherwise that of the table; no other with
                 `only_for`.
             longitudinal_creepage, lateral_creepage, spin: Of the ellipse, or of the main contact, the most loaded one, in
@@ -267,6 +273,7 @@ class TableForces:
     force_bar: Annotated[Any, "error bar of the force vector"]
     moment_bar: Annotated[Any, "error bar of the moment"]
     force_along_normal: Annotated[Any, "along the main normal; 0 of an ellipse"]
+    temperature_rise: Annotated[Any, "largest rise of the temperature in contact by friction, K; nan without heat"]
 
     def __repr__(self) -> str:
         with np.printoptions(threshold=6, edgeitems=2, precision=6):

@@ -25,6 +25,10 @@ class WearRangeWarning(UserWarning):
     """A law was used outside the range of the tests behind it."""
 
 
+class HotSurfaceWarning(UserWarning):
+    """A surface gets so hot that steel transforms: no law of wear knows it then."""
+
+
 @dataclass(frozen=True)
 class Sliding:
     """What a wear law may depend on, as arrays over the contact elements."""
@@ -33,6 +37,7 @@ class Sliding:
     work: np.ndarray      #: frictional work per area of contact and length rolled, |p_t . s|, N/mm^2: local T-gamma/A
     slip: np.ndarray      #: sliding velocity over rolling velocity, that of the work: work over |p_t|, -
     speed: float          #: rolling velocity, mm/s; 0: not given
+    temperature: np.ndarray | None = None  #: of both surfaces, degC; None without heat
 
 
 Law = Callable[[Sliding], np.ndarray]
@@ -142,6 +147,27 @@ class ConstantCoefficient:
         return self.coefficient * at.work
 
 
+def hottest(models: Iterable[ModelResult], point: int = 0) -> dict[str, dict[str, float]]:
+    """The largest temperature of each body in contact, per position and patch of a case with heat.
+
+    Args:
+        models: Of a result; `point`: load point, from 0.
+    Returns:
+        By model.key: temperature (degC, of both surfaces, which are alike in contact), y_wheel and y_rail (mm, where on the
+        profiles); models without heat are left out.
+
+    >>> hottest(result.models)
+    """
+    found = {}
+    for model in models:
+        at = model.points[point]
+        if at.temperature_rail is not None:
+            row = int(np.where(at.pressure > 0.0, at.temperature_rail, -math.inf).max(axis=1).argmax())
+            places = {name: float(values[row]) for name in ("y_wheel", "y_rail") if (values := getattr(model, name)) is not None}
+            found[model.key] = {"temperature": float(at.max_temperature), **places}
+    return found
+
+
 def depth_of_pass(model: ModelResult, law: Law, point: int = 0, speed: float = 0.0) -> np.ndarray:
     """The depth that one pass of a contact removes.
 
@@ -165,7 +191,10 @@ def depth_of_pass(model: ModelResult, law: Law, point: int = 0, speed: float = 0
     traction = np.hypot(at.traction_x, at.traction_y)
     # With the slip of a zone that is thinner than an element, which the field of slip lacks.
     slip = np.divide(at.work, traction, out=np.zeros_like(traction), where=traction > 0.0)
-    removal = np.asarray(law(Sliding(at.pressure, at.work, slip, speed)))
+    if at.temperature_rail is not None and at.max_temperature > model.hot_limit:
+        warnings.warn(f"wear of {model.key}: the surfaces reach {at.max_temperature:.0f} degC; above {model.hot_limit:g} degC steel "
+                      "transforms, and no law of wear holds", HotSurfaceWarning, stacklevel=2)
+    removal = np.asarray(law(Sliding(at.pressure, at.work, slip, speed, at.temperature_rail)))
     if removal.shape != slip.shape or not np.isfinite(removal).all() or (removal < 0.0).any():
         raise InputError("wear law: allowed: a finite number of 0 or more for every element of the contact")
     depth: np.ndarray = removal.sum(axis=1) * model.dx

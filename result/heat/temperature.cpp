@@ -7,78 +7,154 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <tuple>
 
 namespace rollfem::contact {
 
 namespace {
 
-/// Temperatures and heat flows of both surfaces in one row of elements, from its leading end.
-struct HeatedRow {
-  Field wheel, rail;            ///< degC
-  Field wheel_flow, rail_flow;  ///< N/(mm s), into the bodies
-};
-
-/// `warming`: of every distance in elements. `flow`: of friction, N/(mm s). Where the surfaces
-/// touch, what each takes follows from their equal temperatures: the heat of friction, and what
-/// unlike bodies exchange.
-HeatedRow heated_row(const SurfaceHeat& heat, const Field& warming, const Field& pressure,
-                     const Field& flow) {
-  const auto n = static_cast<int>(flow.size());
-  const auto& [wheel, rail, speed] = heat;
-  HeatedRow row{Field(n), Field(n), Field::Zero(n), Field::Zero(n)};
-  for (int i = n; i-- > 0;) {
-    const int ahead = n - 1 - i;
-    const auto before = [&](const Field& flows) {
-      return warming.segment(1, ahead).dot(flows.tail(ahead));
-    };
-    row.wheel[i] = wheel.temperature + before(row.wheel_flow) / wheel.effusivity;
-    row.rail[i] = rail.temperature + before(row.rail_flow) / rail.effusivity;
-    if (!(pressure[i] > 0.0)) continue;
-    const double own = warming[0];
-    row.wheel_flow[i] = (row.rail[i] + own * flow[i] / rail.effusivity - row.wheel[i]) /
-                        (own / wheel.effusivity + own / rail.effusivity);
-    row.rail_flow[i] = flow[i] - row.wheel_flow[i];
-    row.wheel[i] += own * row.wheel_flow[i] / wheel.effusivity;
-    row.rail[i] = row.wheel[i];
+/// The step in which material has passed the element so many elements ahead; null: before all of
+/// them.
+std::vector<const HeatStep*> steps_met(const ContactGrid& grid, const HeatStep& now,
+                                       const HeatPast& past) {
+  constexpr double rounding = 1e-9;
+  std::vector<const HeatStep*> met;
+  const HeatStep* step = &now;
+  double until = now.length;
+  auto next = past.begin();
+  for (int ahead = 0; ahead < grid.nx; ++ahead) {
+    while (step != nullptr && ahead * grid.dx >= (1.0 - rounding) * until) {
+      step = next == past.end() ? nullptr : &*next++;
+      if (step != nullptr) until += step->length;
+    }
+    met.push_back(step);
   }
-  return row;
+  return met;
+}
+
+/// Warming (SurfaceHeat::warming) of an element by the flows into one body through those ahead.
+double warmed(const Field& warming, const std::vector<const HeatStep*>& met, Field HeatStep::*flows,
+              Eigen::Index element) {
+  double sum = 0.0;
+  const auto row = static_cast<Eigen::Index>(met.size());
+  for (Eigen::Index ahead = 1; ahead < row - element % row; ++ahead)
+    if (const HeatStep* step = met[static_cast<std::size_t>(ahead)])
+      sum += warming[ahead] * (step->*flows)[element + ahead];
+  return sum;
+}
+
+/// Sets temperatures and flows (`now`) from the leading end of each row. `flow`: of friction. Where
+/// the surfaces touch, what each takes follows from their equal temperatures: the heat of friction,
+/// and what unlike bodies exchange.
+void heat_rows(const ContactGrid& grid, const SurfaceHeat& heat, const Field& flow,
+               const HeatPast& past, HeatStep& now, ContactFields& fields) {
+  const Field warming = heat.warming(grid.dx, grid.nx);
+  const double own = warming[0];
+  const std::vector<const HeatStep*> met = steps_met(grid, now, past);
+  for (Field* field : {&fields.temperature_wheel, &fields.temperature_rail})
+    field->resize(grid.size());
+  for (Field* flows : {&now.wheel, &now.rail}) flows->setZero(grid.size());
+  const auto& [wheel, rail, speed] = heat;
+  for (Eigen::Index k = grid.size(); k-- > 0;) {
+    double& of_wheel = fields.temperature_wheel[k];
+    double& of_rail = fields.temperature_rail[k];
+    of_wheel = wheel.temperature + warmed(warming, met, &HeatStep::wheel, k) / wheel.effusivity;
+    of_rail = rail.temperature + warmed(warming, met, &HeatStep::rail, k) / rail.effusivity;
+    if (!(fields.traction.n[k] > 0.0)) continue;
+    now.wheel[k] = (of_rail + own * flow[k] / rail.effusivity - of_wheel) /
+                   (own / wheel.effusivity + own / rail.effusivity);
+    now.rail[k] = flow[k] - now.wheel[k];
+    of_wheel += own * now.wheel[k] / wheel.effusivity;
+    of_rail = of_wheel;
+  }
+}
+
+HeatStep heated(const ContactGrid& grid, const SurfaceHeat& heat, const Field& flow, double length,
+                const HeatPast& past, PointResult& point) {
+  HeatStep now{length, {}, {}};
+  const ContactFields& fields = point.fields;
+  heat_rows(grid, heat, flow, past, now, point.fields);
+  const double per_length = grid.element_area() / heat.speed;
+  point.heat_wheel = now.wheel.sum() * per_length;
+  point.heat_rail = now.rail.sum() * per_length;
+  Eigen::Index hottest = 0;
+  const double highest = (fields.traction.n.array() > 0.0)
+                             .select(fields.temperature_rail.array(), -HUGE_VAL)
+                             .maxCoeff(&hottest);
+  if (std::isinf(highest)) return now;
+  point.max_temperature = highest;
+  const auto k = static_cast<int>(hottest);
+  point.max_temperature_x = grid.x(k % grid.nx);
+  point.max_temperature_y = grid.y(k / grid.nx);
+  return now;
 }
 
 }  // namespace
 
 void set_temperatures(const ContactGrid& grid, const SurfaceHeat& heat, PointResult& point) {
-  ContactFields& fields = point.fields;
-  if (fields.work.size() != grid.size()) return;
-  const Field warming = Field::NullaryExpr(
-      grid.nx, [&](Eigen::Index i) { return heat.warming(grid.dx, static_cast<int>(i)); });
-  fields.temperature_wheel.resize(grid.size());
-  fields.temperature_rail.resize(grid.size());
-  double wheel_flow = 0.0, rail_flow = 0.0;
-  for (int j = 0; j < grid.ny; ++j) {
-    const int first = grid.index(0, j);
-    const HeatedRow row = heated_row(heat, warming, fields.traction.n.segment(first, grid.nx),
-                                     heat.speed * fields.work.segment(first, grid.nx));
-    fields.temperature_wheel.segment(first, grid.nx) = row.wheel;
-    fields.temperature_rail.segment(first, grid.nx) = row.rail;
-    wheel_flow += row.wheel_flow.sum();
-    rail_flow += row.rail_flow.sum();
-  }
-  const double per_length = grid.element_area() / heat.speed;
-  point.heat_wheel = wheel_flow * per_length;
-  point.heat_rail = rail_flow * per_length;
-  Eigen::Index hottest = 0;
-  const double highest = (fields.traction.n.array() > 0.0)
-                             .select(fields.temperature_rail.array(), -HUGE_VAL)
-                             .maxCoeff(&hottest);
-  if (std::isinf(highest)) return;
-  point.max_temperature = highest;
-  const auto k = static_cast<int>(hottest);
-  point.max_temperature_x = grid.x(k % grid.nx);
-  point.max_temperature_y = grid.y(k / grid.nx);
+  if (point.fields.work.size() == grid.size())
+    heated(grid, heat, heat.speed * point.fields.work, HUGE_VAL, {}, point);
 }
 
-void warn_of_temperature(const SurfaceHeat& heat, ModelResult& result) {
-  const double limit = std::min(heat.wheel.limit, heat.rail.limit);
+HeatStep set_temperatures(const ContactGrid& grid, const SurfaceHeat& heat, double length,
+                          const HeatPast& past, PointResult& point) {
+  const SurfaceField& traction = point.fields.traction;
+  const TangentialField& slip = point.fields.slip;
+  const Field work = -(traction.x.cwiseProduct(slip.x) + traction.y.cwiseProduct(slip.y));
+  return heated(grid, heat, heat.speed * work.cwiseMax(0.0), length, past, point);
+}
+
+Field left_temperature(const ContactGrid& grid, const SurfaceHeat& heat, double length,
+                       const HeatPast& past) {
+  const Field warming = heat.warming(grid.dx, grid.nx), none = Field::Zero(grid.size());
+  const HeatStep now{length, none, none};
+  const std::vector<const HeatStep*> met = steps_met(grid, now, past);
+  return Field::NullaryExpr(grid.size(), [&](Eigen::Index k) {
+    return heat.contact_temperature() +
+           (warmed(warming, met, &HeatStep::wheel, k) + warmed(warming, met, &HeatStep::rail, k)) /
+               heat.effusivity();
+  });
+}
+
+namespace {
+
+/// The largest thermal stress at a surface in contact that stresses of the result leave out: the
+/// material around a thin layer holds it, E alpha (T - T_0)/(1 - nu) along and across.
+void note_thermal_stress(const Scene& scene, ModelResult& result) {
+  double largest = 0.0, depth = 0.0;
+  std::string body;
+  for (const PointResult& point : result.points) {
+    if (point.stress_maxima.empty() && point.subsurface.empty() && point.yielded.empty() &&
+        point.bodies.empty())
+      continue;
+    for (const auto& [name, heat, material] :
+         {std::tuple("wheel", &scene.heat->wheel, &scene.wheel.material),
+          {"rail", &scene.heat->rail, &scene.rail.material}}) {
+      const double rise = point.max_temperature.value_or(heat->temperature) - heat->temperature;
+      const double stress =
+          material->young_modulus * heat->expansion * rise / (1.0 - material->poisson_ratio);
+      if (material->rigid() || stress <= largest) continue;
+      largest = stress;
+      depth = std::sqrt(heat->diffusivity * point.contact_length / scene.heat->speed);
+      body = name;
+    }
+  }
+  if (largest > 0.0)
+    add_note(
+        result.notes, "thermal_stress",
+        "stresses and yielding leave out thermal strain: up to {:.0f} MPa of compression along "
+        "and across the surface of the {}, in a layer of {:.2g} mm; rollfem stress adds it "
+        "(docs/heat.md)",
+        largest, body, depth);
+}
+
+}  // namespace
+
+void tell_of_heat(const Scene& scene, ModelResult& result) {
+  if (!scene.heat) return;
+  note_thermal_stress(scene, result);
+  const double limit = std::min(scene.heat->wheel.limit, scene.heat->rail.limit);
   double hottest = 0.0;
   std::size_t above = 0;
   for (const PointResult& point : result.points) {

@@ -5,7 +5,17 @@
 
 #include "result/result.hpp"
 
+#include <vector>
+
 namespace rollfem::contact {
+
+/// Heat flows into both bodies through the elements, N/(mm s), while the contact rolls on.
+struct HeatStep {
+  double length = 0.0;  ///< mm rolled; infinite: steady rolling
+  Field wheel, rail;
+};
+/// The last step first.
+using HeatPast = std::vector<HeatStep>;
 
 /// Sets the temperatures of both surfaces and what follows from them at a load point in steady
 /// rolling whose ContactFields::work is known. Friction heats the elements in contact, where both
@@ -13,7 +23,19 @@ namespace rollfem::contact {
 /// both bodies take is the frictional work.
 void set_temperatures(const ContactGrid& grid, const SurfaceHeat& heat, PointResult& point);
 
-/// Warns of load points with surfaces above the limits of the bodies.
-void warn_of_temperature(const SurfaceHeat& heat, ModelResult& result);
+/// The same at the end of a step of this length, from the tractions and the slip of its elements:
+/// material has passed each element ahead in the step in which it was there, so that a state that
+/// stays has the temperatures of steady rolling, however long its steps. Returns the flows.
+HeatStep set_temperatures(const ContactGrid& grid, const SurfaceHeat& heat, double length,
+                          const HeatPast& past, PointResult& point);
+
+/// Temperature that surfaces in contact have by the heat of earlier steps alone, degC, at the end
+/// of a step of this length.
+Field left_temperature(const ContactGrid& grid, const SurfaceHeat& heat, double length,
+                       const HeatPast& past);
+
+/// Where bodies have heat: warns of load points with surfaces above their limits, and notes the
+/// thermal stress that the stresses of the result leave out.
+void tell_of_heat(const Scene& scene, ModelResult& result);
 
 }  // namespace rollfem::contact

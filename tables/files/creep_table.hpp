@@ -83,6 +83,24 @@ bool contact_jumps(const TableWheel& a, const TableWheel& b);
 /// One of the three alone may thus stand for the load, for bodies of any curvature.
 enum class LoadSets { nothing, size, pressure, sliding_distance, all };
 
+/// Heat of the bodies of the case.
+struct TableHeat {
+  double effusivity = 0.0;     ///< of both together, N/(mm K s^0.5)
+  double temperature = 0.0;    ///< degC, of surfaces in contact before friction heats them
+  double speed = 0.0;          ///< mm/s, of the case
+  double shear_modulus = 0.0;  ///< MPa, combined
+  /// 1: friction follows the temperature, which is of the speed times the fourth power of the
+  /// pressure times c.
+  double sets_friction = 0.0;
+};
+/// Its members by their names in files and Python.
+inline constexpr std::pair<const char*, double TableHeat::*> heat_numbers[] = {
+    {"effusivity", &TableHeat::effusivity},
+    {"temperature", &TableHeat::temperature},
+    {"speed", &TableHeat::speed},
+    {"shear_modulus", &TableHeat::shear_modulus},
+    {"sets_friction", &TableHeat::sets_friction}};
+
 struct CreepTable {
   std::string title, case_file, case_text, program, command, started;
   double poisson_ratio = 0.0;
@@ -114,6 +132,10 @@ struct CreepTable {
   std::vector<double> along_normal;  ///< force of friction along the normal over mu F_n; empty: 0
   std::vector<std::array<double, 2>> bars;  ///< error bars of the force vector and the moment
   std::vector<int> elements_across;         ///< on the finest grid
+  std::optional<TableHeat> heat;            ///< empty: the case has none
+  /// Largest rise of the temperature in contact by friction over (mu F_n)^2 sqrt(V) / (G beta
+  /// c^3.5); empty without heat.
+  std::vector<double> rise;
   InterpolationError interpolation;
   std::vector<InterpolatedPoint> checked;
 

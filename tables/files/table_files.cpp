@@ -88,16 +88,22 @@ constexpr std::array<const char*, 3> point_columns[] = {
     {"moment_bar", "mu F_n c", "error bar of M_z"},
     {"force_along_normal", "mu F_n",
      "force of friction along the normal of the main contact: nonzero on a curved surface and with "
-     "contacts in other planes"}};
+     "contacts in other planes"},
+    {"temperature_rise", "(mu F_n)^2 sqrt(V) / (G beta c^3.5)",
+     "largest rise of the temperature in contact by friction, beta of the group heat"}};
 
-std::size_t columns_of(const CreepTable& table) {
-  return table.over_shifts() ? 6 : 5;
+std::vector<std::size_t> columns_of(const CreepTable& table) {
+  std::vector<std::size_t> columns{0, 1, 2, 3, 4};
+  if (table.over_shifts()) columns.push_back(5);
+  if (table.heat) columns.push_back(6);
+  return columns;
 }
 
 template <class Table>
 auto& number_of(Table& table, std::size_t point, std::size_t column) {
   if (column < 3) return table.forces[point][column];
-  return column < 5 ? table.bars[point][column - 3] : table.along_normal[point];
+  if (column < 5) return table.bars[point][column - 3];
+  return column == 5 ? table.along_normal[point] : table.rise[point];
 }
 
 void write_axes(hid_t file, const CreepTable& table) {
@@ -158,11 +164,19 @@ void write_interpolation(hid_t file, const CreepTable& table) {
 void write_points(hid_t file, const CreepTable& table) {
   const std::vector<std::size_t> lengths = table.shape();
   const std::vector<hsize_t> shape(lengths.begin(), lengths.end());
-  for (std::size_t c = 0; c < columns_of(table); ++c) {
+  for (const std::size_t c : columns_of(table)) {
     std::vector<double> values(table.size());
     for (std::size_t k = 0; k < values.size(); ++k) values[k] = number_of(table, k, c);
     const auto& [name, unit, says] = point_columns[c];
-    write_values(file, name, values, unit, says, "on the wheel", shape);
+    write_values(file, name, values, unit, says, c == 6 ? "" : "on the wheel", shape);
+  }
+  if (table.heat) {
+    const Handle group = create_group(file, "heat",
+                                      "Of the case: effusivity of both bodies together in N/(mm K "
+                                      "s^0.5), temperature in contact before friction heats it in "
+                                      "degC, speed in mm/s, shear modulus in MPa");
+    for (const auto& [name, member] : heat_numbers)
+      write_attribute(group, name, *table.heat.*member);
   }
   write_values(file, "elements_across", table.elements_across, "1",
                "contact elements across the patch on the finest grid", "", shape);
@@ -208,7 +222,13 @@ void read_points(hid_t file, CreepTable& table) {
   table.forces.resize(count);
   table.bars.resize(count);
   if (table.over_shifts()) table.along_normal.resize(count);
-  for (std::size_t c = 0; c < columns_of(table); ++c) {
+  if (has_member(file, "heat")) {
+    const Handle group = open_group(file, "heat");
+    table.heat.emplace();
+    for (const auto& [name, member] : heat_numbers) *table.heat.*member = read_number(group, name);
+    table.rise.resize(count);
+  }
+  for (const std::size_t c : columns_of(table)) {
     const std::vector<double> values = numbers_of(file, point_columns[c][0]);
     if (values.size() != count) throw std::runtime_error("its arrays have different sizes");
     for (std::size_t k = 0; k < count; ++k) number_of(table, k, c) = values[k];
@@ -253,9 +273,11 @@ void read_interpolation(hid_t file, CreepTable& table) {
 }  // namespace
 
 std::string table_csv(const CreepTable& table) {
-  std::string text = first_columns(table) + creepage_columns +
-                     "force_bar [mu F_n],moment_bar [mu F_n c],elements_across [-]" +
-                     (table.over_shifts() ? ",force_along_normal [mu F_n]\n" : "\n");
+  std::string text =
+      first_columns(table) + creepage_columns +
+      "force_bar [mu F_n],moment_bar [mu F_n c],elements_across [-]" +
+      (table.over_shifts() ? ",force_along_normal [mu F_n]" : "") +
+      (table.heat ? ",temperature_rise [(mu F_n)^2 sqrt(V) / (G beta c^3.5)]\n" : "\n");
   const auto& [xi, eta, phi] = table.creepage;
   std::size_t at = 0;
   for (std::size_t node = 0; node < table.nodes(); ++node) {
@@ -270,6 +292,7 @@ std::string table_csv(const CreepTable& table) {
                          table.elements_across[at]);
           if (table.over_shifts())
             fmt::format_to(std::back_inserter(text), ",{:.7g}", table.along_normal[at]);
+          if (table.heat) fmt::format_to(std::back_inserter(text), ",{:.7g}", table.rise[at]);
           text += '\n';
           ++at;
         }

@@ -30,13 +30,25 @@ using CreepageWeights = std::array<std::array<AxisWeights, 2>, 3>;
 
 /// Behaviour of F_x, F_y, M_z and the force along the normal at 0 of xi', eta' and phi': a force is
 /// bent at 0 along the creepage that causes it.
-constexpr AtZero at_zero[4][3] = {{AtZero::bent, AtZero::smooth, AtZero::smooth},
+constexpr AtZero at_zero[5][3] = {{AtZero::bent, AtZero::smooth, AtZero::smooth},
                                   {AtZero::smooth, AtZero::bent, AtZero::bent},
                                   {AtZero::smooth, AtZero::bent, AtZero::bent},
-                                  {AtZero::smooth, AtZero::bent, AtZero::bent}};
-constexpr std::size_t along_normal = 3;
+                                  {AtZero::smooth, AtZero::bent, AtZero::bent},
+                                  {AtZero::bent, AtZero::bent, AtZero::bent}};
+constexpr std::size_t along_normal = 3, rise = 4;
+
+/// The scale of rises to interpolate, which in full sliding are in proportion to the creepages.
+double with_size(const Scaled& creepage) {
+  return 1.0 + std::hypot(creepage[0], creepage[1], creepage[2]);
+}
 
 double value_of(const CreepTable& table, std::size_t point, std::size_t q) {
+  if (q == rise) {
+    const auto& [xi, eta, phi] = table.creepage;
+    const std::size_t row = point / phi.size();
+    return table.rise[point] / with_size({xi[row / eta.size() % xi.size()], eta[row % eta.size()],
+                                          phi[point % phi.size()]});
+  }
   return q == along_normal ? table.along_normal[point] : table.forces[point][q];
 }
 
@@ -99,6 +111,7 @@ CreepTableReader::CreepTableReader(CreepTable table) : table_(std::move(table)) 
   if (!shifts && table_.axis_ratio.front() <= 0.0) refuse_shape("its ratios are not positive");
   check_conditions();
   if (table_.forces.size() != table_.size() || table_.bars.size() != table_.size() ||
+      !(table_.rise.empty() ? !table_.heat : table_.rise.size() == table_.size()) ||
       table_.scale.size() != (shifts ? table_.loads() : 1) * table_.first_axis().size())
     refuse_shape("its forces do not fit its axes");
   if (shifts) check_wheels();
@@ -238,7 +251,8 @@ CreepTableReader::Place CreepTableReader::locate(const TablePlace& place) const 
   const OnAxis load = on_axis(load_[nearest], condition("load", "N", table_.load, place.load));
   Side near, beyond;
   near.load = load.near.weights;
-  near.speed = on_axis(speed_, condition("speed", "mm/s", table_.speed, place.speed)).near.weights;
+  const double speed = table_.heat && table_.speed.empty() ? 0.0 : place.speed;
+  near.speed = on_axis(speed_, condition("speed", "mm/s", table_.speed, speed)).near.weights;
   beyond = near;
   bool jumps = load.beyond.has_value();
   if (jumps) beyond.load = load.beyond->weights;
@@ -297,7 +311,10 @@ TablePlace CreepTableReader::place_of(double ratio, double c, double shear_modul
         "F_n; do: make a table with bodies of this curvature",
         c, table_.only_for, c * root / size));
   if (speed == 0.0 && table_.speed.size() == 1) speed = table_.speed.front();
-  return {ratio, first * root * root * root, speed * pressure / root};
+  const double heating = table_.heat && table_.heat->sets_friction != 0.0
+                             ? std::pow(pressure, 4) * size / std::pow(root, 5)
+                             : pressure / root;
+  return {ratio, first * root * root * root, speed * heating};
 }
 
 void CreepTableReader::refuse_other_kind(bool wanted_shifts) const {
@@ -357,6 +374,7 @@ TableForces CreepTableReader::forces_of(const Side& side, const Scaled& creepage
   }
   TableForces found;
   std::array<double, 2> bars{};
+  double risen = 0.0;
   each_node(side.load, [&](std::size_t load, double of_load, std::size_t slot) {
     const Nodes& first = side.first[slot];
     each_node(side.speed, [&](std::size_t speed, double of_speed, std::size_t) {
@@ -368,11 +386,17 @@ TableForces CreepTableReader::forces_of(const Side& side, const Scaled& creepage
       found.forces[1] += across * sum(1);
       found.forces[2] += across * sum(2);
       if (!mirrored) found.along_normal += sum(along_normal);
+      if (table_.heat) risen += sum(rise);
       raise_bars(bars, table_, layer, first.around, weights);
     });
   });
   const double size = std::hypot(found.forces[0], found.forces[1]);
-  if (mirrored && size > 1.0)
+  if (table_.heat) {
+    const Scaled within{shrunk * creepage[0], shrunk * creepage[1], shrunk * creepage[2]};
+    found.rise = std::max(0.0, risen * with_size(within) / shrunk);
+  }
+  const bool may_rise = table_.heat && table_.heat->sets_friction != 0.0;
+  if (mirrored && !may_rise && size > 1.0)
     for (std::size_t q = 0; q < 2; ++q) found.forces[q] /= size;
   found.force_bar = bars[0] + table_.interpolation.force_95;
   found.moment_bar = bars[1] + table_.interpolation.moment_95;
@@ -395,15 +419,16 @@ TableForces CreepTableReader::physical(double semi_axis_x, double semi_axis_y, d
     throw contact::InputError(
         "table: semi-axes, shear modulus and mu F_n: allowed: positive numbers; do: check where "
         "they come from");
-  const double c2 = semi_axis_x * semi_axis_y, c = std::sqrt(c2);
+  const double c = std::sqrt(semi_axis_x * semi_axis_y);
   const TablePlace place =
       place_of(semi_axis_x / semi_axis_y, c, shear_modulus, friction_bound, speed);
-  return unscaled(locate(place).near, shear_modulus * c2, c, friction_bound, creepage);
+  return unscaled(locate(place).near, shear_modulus, c, friction_bound, creepage, speed);
 }
 
-/// `stiffness`: G c^2.
-TableForces CreepTableReader::unscaled(const Side& side, double stiffness, double c,
-                                       double friction_bound, const Scaled& creepage) const {
+TableForces CreepTableReader::unscaled(const Side& side, double shear_modulus, double c,
+                                       double friction_bound, const Scaled& creepage,
+                                       double speed) const {
+  const double stiffness = shear_modulus * c * c;
   const Scaled scale = scale_of(side);
   const double s = stiffness / friction_bound;
   TableForces found = forces_of(side, {scale[0] * s * creepage[0], scale[1] * s * creepage[1],
@@ -413,6 +438,13 @@ TableForces CreepTableReader::unscaled(const Side& side, double stiffness, doubl
   found.along_normal *= friction_bound;
   found.force_bar *= friction_bound;
   found.moment_bar *= friction_bound * c;
+  if (!table_.heat) return found;
+  const TableHeat& heat = *table_.heat;
+  const double asked = speed > 0.0 ? speed : heat.speed;
+  const bool same = std::abs(shear_modulus / heat.shear_modulus - 1.0) <= let_pass;
+  found.rise *= same ? friction_bound * friction_bound * std::sqrt(asked) /
+                           (stiffness * heat.effusivity * std::pow(c, 1.5))
+                     : std::numeric_limits<double>::quiet_NaN();
   return found;
 }
 
@@ -438,8 +470,8 @@ TableForces CreepTableReader::of_wheel(const TablePlace& place, double friction_
     if (&side == &here.near) refuse_other_bound(friction_bound, own);
     // A table for one bound only has another one beyond a jump.
     const double bound = table_.only_for.empty() ? friction_bound : own;
-    const double c2 = wheel.semi_axis_x * wheel.semi_axis_y;
-    return unscaled(side, table_.shear_modulus * c2, std::sqrt(c2), bound, creepage);
+    return unscaled(side, table_.shear_modulus, std::sqrt(wheel.semi_axis_x * wheel.semi_axis_y),
+                    bound, creepage, place.speed);
   };
   TableForces found = on(here.near);
   if (here.beyond) widen(found, on(*here.beyond));

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,6 +22,9 @@ struct TableForces {
   Scaled forces{};
   double along_normal = 0.0;  ///< force of friction on the wheel along the normal; 0 for an ellipse
   double force_bar = 0.0, moment_bar = 0.0;
+  /// Largest rise of the temperature in contact, K where the forces are in N, else scaled
+  /// (CreepTable::rise); NaN without heat or for another shear modulus.
+  double rise = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Evaluates a table, which it owns. Evaluation allocates nothing and is thread-safe.
@@ -47,7 +51,8 @@ class CreepTableReader {
 
   /// Forces of an ellipse, in the consistent units of the arguments: semi-axes along and across
   /// rolling, combined shear modulus, mu F_n > 0, creepages xi, eta and phi. A table of only_for
-  /// needs mm, N and MPa, and the speed if it has several. Throws contact::InputError for a table
+  /// needs mm, N and MPa, and the speed if it has several; so do temperatures, at the speed of the
+  /// case without one. Throws contact::InputError for a table
   /// over lateral shifts, and for an ellipse at whose size, pressure or speed its friction is
   /// another one (LoadSets).
   TableForces physical(double semi_axis_x, double semi_axis_y, double shear_modulus,
@@ -110,8 +115,8 @@ class CreepTableReader {
   Scaled scale_of(const Side& side) const;
   TableWheel wheel_of(const Side& side) const;
   TableForces forces_of(const Side& side, const Scaled& creepage) const;
-  TableForces unscaled(const Side& side, double stiffness, double c, double friction_bound,
-                       const Scaled& creepage) const;
+  TableForces unscaled(const Side& side, double shear_modulus, double c, double friction_bound,
+                       const Scaled& creepage, double speed) const;
   TablePlace place_of(double ratio, double c, double shear_modulus, double friction_bound,
                       double speed) const;
   void refuse_other_kind(bool wanted_shifts) const;

@@ -125,6 +125,7 @@ void fill_grid(CreepTable& table, const TableSource& source, const contact::Prog
   table.bars.resize(table.size());
   table.elements_across.resize(table.size());
   if (table.over_shifts()) table.along_normal.resize(table.size());
+  if (table.heat) table.rise.resize(table.size());
   TableParts parts{"table", "points", own, table.size(), of_a_place, {}, {}};
   parts.solve = [&](const TablePart& part) {
     return source.at_node(part.begin / of_a_place, creepages_of(table, part));
@@ -138,6 +139,7 @@ void fill_grid(CreepTable& table, const TableSource& source, const contact::Prog
       table.bars[at] = point.bars;
       table.elements_across[at] = point.elements_across;
       if (table.over_shifts()) table.along_normal[at] = point.along_normal;
+      if (table.heat) table.rise[at] = point.rise;
     }
   };
   solve_parts(parts, progress, checkpoint);

@@ -7,6 +7,7 @@
 #include "case/keys/case_keys.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
+#include "scene/surface_heat.hpp"
 
 #include <fmt/format.h>
 
@@ -122,10 +123,6 @@ void check_wheel(const contact::Case& input) {
         "wheelset.lateral_shift, wheelset.yaw or wheelset.roll: is a list; allowed: one value "
         "with table.lateral_shift; do: give shifts under [table] alone, make a table for each yaw "
         "and roll");
-  if (input.friction_fall.shape.by_temperature)
-    refuse_key(
-        "friction.law = \"temperature\": a table does not hold the heat of friction; allowed: the "
-        "other laws; do: fit one that falls with the slip velocity (docs/heat.md)");
   if (input.rolling.problem != contact::Problem::steady)
     refuse_key("rolling.problem: a table holds steady rolling; allowed: \"steady\"; do: remove it");
 }
@@ -138,11 +135,12 @@ bool falls(const contact::Case& input) {
 std::string only_for(const contact::Case& input, const std::vector<double>& speeds) {
   if (!falls(input) && !input.layer) return {};
   std::string text = fmt::format("a coefficient of friction of {:g}", input.friction_coefficient);
+  const char* const law =
+      input.friction_fall.shape.by_temperature ? "friction by temperature" : "falling friction";
   if (falls(input))
-    text = speeds.size() == 1
-               ? fmt::format("falling friction at a speed of {:g} mm/s", speeds.front())
-               : fmt::format("falling friction at speeds of {:g} to {:g} mm/s", speeds.front(),
-                             speeds.back());
+    text = speeds.size() == 1 ? fmt::format("{} at a speed of {:g} mm/s", law, speeds.front())
+                              : fmt::format("{} at speeds of {:g} to {:g} mm/s", law,
+                                            speeds.front(), speeds.back());
   if (!input.layer) return text;
   text += " and a layer";
   if (input.layer->thickness)
@@ -159,7 +157,8 @@ LoadSets load_sets(const contact::Case& input) {
   if (layer.thickness || layer.hardening.value_or(0.0) != 0.0) found.push_back(LoadSets::size);
   if (layer.yield_stress) found.push_back(LoadSets::pressure);
   if (falls(input) && input.friction_fall.memory_distance > 0.0)
-    found.push_back(LoadSets::sliding_distance);
+    found.push_back(input.friction_fall.shape.by_temperature ? LoadSets::all
+                                                             : LoadSets::sliding_distance);
   if (found.empty()) return LoadSets::nothing;
   return found.size() == 1 ? found.front() : LoadSets::all;
 }
@@ -170,7 +169,7 @@ void set_conditions(const contact::Case& input, CreepTable& table) {
   table.load_sets = ellipses ? load_sets(input) : LoadSets::nothing;
   if (!input.table.load.empty() && ellipses && table.load_sets == LoadSets::nothing)
     refuse(input, "load", "forces of ellipses over mu F_n do not depend on the load",
-           falls(input) ? "but on the speed times the pressure; do: list table.speed instead"
+           falls(input) ? "but on the speed and the pressure; do: list table.speed instead"
                         : "under this friction; do: remove it");
   if (!input.table.load.empty() && input.load.approach)
     refuse(input, "load", "the case gives an approach",
@@ -273,6 +272,9 @@ CreepTable empty_table(const contact::Case& input) {
              "allowed: together with lateral_shift; do: give lateral_shift = [first, last]");
     table.axis_ratio = ratios_of(input);
   }
+  if (const auto heat = contact::surface_heat(input))
+    table.heat = {heat->effusivity(), heat->contact_temperature(), heat->speed,
+                  material.shear_modulus, input.friction_fall.shape.by_temperature ? 1.0 : 0.0};
   set_conditions(input, table);
   if (table.over_shifts() || !table.only_for.empty()) {
     table.shear_modulus = material.shear_modulus;

@@ -37,7 +37,8 @@ TablePoint point_of(const halfspace::EllipseForces& found) {
           0.0,
           {std::max(least_force_bar, std::hypot(along, across)),
            std::max(least_moment_bar, std::abs(moment))},
-          found.elements_across};
+          found.elements_across,
+          found.rise};
 }
 
 class EllipseSource : public TableSource {
@@ -70,6 +71,7 @@ class EllipseSource : public TableSource {
     const double mu = input_.friction_coefficient, modulus = axes_.shear_modulus,
                  slip = mu * place.load / (modulus * c * c);
     if (made.fall.kinetic_coefficient) *made.fall.kinetic_coefficient /= mu;
+    if (made.fall.shape.by_temperature) *made.fall.constants[2] /= mu;
     made.fall.second_part /= mu;
     made.fall.memory_distance /= slip * c;
     made.speed = place.speed * slip;
@@ -85,6 +87,13 @@ class EllipseSource : public TableSource {
                                 const std::vector<Scaled>& creepages) const {
     halfspace::EllipseShape shape{place.first, axes_.poisson_ratio};
     if (c > 0.0) shape.friction = friction_at(place, c);
+    if (const auto& heat = axes_.heat) {
+      shape.heat = halfspace::ScaledHeat{heat->temperature, 1.0};
+      const double bound = input_.friction_coefficient * place.load;
+      if (heat->sets_friction != 0.0)
+        shape.heat->unit = bound * bound * std::sqrt(place.speed) /
+                           (axes_.shear_modulus * heat->effusivity * std::pow(c, 3.5));
+    }
     std::vector<halfspace::ScaledCreepage> points;
     for (const Scaled& creepage : creepages)
       points.push_back({creepage[0] / scale[0], creepage[1] / scale[1], creepage[2] / scale[2]});
@@ -134,6 +143,7 @@ class WheelSource : public TableSource {
 
   void prepare(CreepTable& table, const contact::Progress& progress) override {
     shear_modulus_ = table.shear_modulus;
+    heat_ = table.heat;
     speeds_ = table.speed;
     shifts_ = table.lateral_shift.size();
     contact::ProgressEvent event;
@@ -208,17 +218,23 @@ class WheelSource : public TableSource {
                        scaled[2] * units.creepage[2]});
     std::vector<TablePoint> found;
     const double force = units.bound, moment = units.bound * units.length;
-    for (const track::FrictionForce& one : wheel.forces(asked, contact::friction_of(moving)))
+    const double rise = !heat_ ? 0.0
+                               : shear_modulus_ * heat_->effusivity * std::pow(units.length, 3.5) /
+                                     (force * force * std::sqrt(moving.rolling.speed));
+    for (const track::FrictionForce& one :
+         wheel.forces(asked, contact::friction_of(moving), contact::surface_heat(moving)))
       found.push_back({{one.longitudinal / force, one.lateral / force, one.spin_moment / moment},
                        one.normal / force,
                        {one.force_bar / force, one.moment_bar / moment},
-                       input_.contact_grid.elements_across});
+                       input_.contact_grid.elements_across,
+                       one.rise * rise});
     return found;
   }
 
   const contact::Case& input_;
   track::SearchScene search_;
   double shear_modulus_ = 0.0;  // MPa, combined
+  std::optional<TableHeat> heat_;
   std::vector<double> speeds_;
   std::size_t shifts_ = 1;
   std::vector<PressedWheel> wheels_;  ///< as CreepTable::wheels

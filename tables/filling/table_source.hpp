@@ -18,6 +18,7 @@ struct TablePoint {
   double along_normal = 0.0;
   std::array<double, 2> bars{};
   int elements_across = 0;
+  double rise = 0.0;
 };
 
 class TableSource {

@@ -54,18 +54,18 @@ def test_keys_have_their_values_and_defaults(rollfem, content, keys):
 
 
 def test_check_tells_values_units_defaults_and_what_follows(rollfem):
-    out = rollfem.done("check", rollfem.case(SMALL | {"rail.young_modulus": 210000.0})).out
+    out = rollfem.done("check", "--all", rollfem.case(SMALL | {"rail.young_modulus": 210000.0})).out
     # E* = 210000 / (2 (1 - 0.09)), G = 210000 / 2.6; a given value is no default even where it equals one.
     says(out, "normal_force           50000 N\n", "young_modulus          210000 MPa  (default)", "young_modulus          210000 MPa\n",
          "A                      0.00123457 1/mm", "B                      0.00025 1/mm", "E*                     115385 MPa",
          "G                      80769.2 MPa")
     assert "approach  " not in out
-    says(rollfem.done("check", rollfem.case(WHEEL_ON_RAIL | {"wheelset.lateral_shift": [0.0, 1.0]})).out, "[track]", '"1:40"',
+    says(rollfem.done("check", "--all", rollfem.case(WHEEL_ON_RAIL | {"wheelset.lateral_shift": [0.0, 1.0]})).out, "[track]", '"1:40"',
          "1435", "[wheelset]", "[0, 1]", "vertical_force", "both wheels touch their rails")
-    says(rollfem.done("check", rollfem.case(EIGHT | {"rolling.longitudinal_force": [-1e3, math.nan],
+    says(rollfem.done("check", "--all", rollfem.case(EIGHT | {"rolling.longitudinal_force": [-1e3, math.nan],
                                                      "rolling.longitudinal_creepage": [0.7, 0.001]})).out, "[-1000, nan]")
     pressed = {"load.max_pressure": 1e3, "load.normal_force": None}
-    says(rollfem.done("check", rollfem.case(SMALL | pressed)).out, "load.max_pressure by Hertz")
+    says(rollfem.done("check", "--all", rollfem.case(SMALL | pressed)).out, "load.max_pressure by Hertz")
 
 
 @pytest.fixture

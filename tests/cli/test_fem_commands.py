@@ -35,7 +35,8 @@ def test_two_processes_give_the_numbers_of_one(rollfem, command, options):
     if command == "study":
         assert rollfem.json("on_2/study.json")["processes"] == 2
         series = rollfem.json("on_1/study.json")["places"][0]["series"]
-        assert [len(each["levels"]) for each in series] == [2, 2]
+        # The first level of finite elements has too few cells across the patch.
+        assert [len(each["levels"]) for each in series] == [1, 2]
 
 
 @pytest.mark.parametrize("command", ["study", "compare"])

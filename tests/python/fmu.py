@@ -104,6 +104,24 @@ def fall_with_the_slip_velocity(fmu):
     fmu.call("fmi2Reset")
 
 
+def heat_is_that_of_the_work_of_friction(fmu):
+    """Full sliding: the rise goes with the work of friction, and friction by temperature takes from both."""
+    found = []
+    for more in (dict(), dict(heat=1.0), dict(heat=1.0, wheel_temperature=80.0, rail_temperature=80.0),
+                 dict(friction_law="temperature", law_constant_2=220.0, law_constant_3=0.1)):
+        fmu.call("fmi2Reset")
+        fmu.set(start_yaw=0.05, speed=20.0, **more)
+        assert fmu.initialise() == 0, fmu.said
+        found.append([fmu.get(name) for name in ("left_temperature", "right_temperature", "left_t_gamma")])
+    none, cold, warm, falling = found
+    print("temperatures:", found)
+    assert none[:2] == [0.0, 0.0] and none[2] == cold[2] == warm[2]
+    assert abs(cold[0] - cold[1]) < 0.02 * cold[0] and cold[0] > 100.0
+    assert abs(warm[0] - cold[0] - 60.0) < 1e-6, "a body that comes hotter stays so"
+    assert 0.4 < falling[2] / none[2] < 0.9 and 0.4 < (falling[0] - 20.0) / (cold[0] - 20.0) < 0.9
+    fmu.call("fmi2Reset")
+
+
 def without_an_instance(fmu):
     """NULL is an error, not the end of the process: as an instance, and as any list or state of a sound one."""
     nothing, one = ctypes.c_void_p(), ctypes.c_size_t(1)
@@ -144,6 +162,7 @@ def main():
     fmu.set(law_constant_2=2.0)
     assert fmu.initialise() == 3 and "law_constants[1]" in fmu.said[-1], fmu.said
     fall_with_the_slip_velocity(fmu)
+    heat_is_that_of_the_work_of_friction(fmu)
     fmu.set(largest_step=1e-12)
     assert fmu.initialise() == 0 and fmu.step(0.0, 0.01) == 2 and "largest_step" in fmu.said[-1], fmu.said
     fmu.call("fmi2Reset")

@@ -54,6 +54,33 @@ class Laws(unittest.TestCase):
         with self.assertRaisesRegex(rollfem.InputError, "speed="):
             law(sliding(1.0))
 
+    def test_names_the_hottest_place_and_warns_where_steel_transforms(self):
+        case = rollfem.Case(**{**PAIR, "rolling": {"speed": 40e3}, "rail_heat": {"temperature": 20.0}, "contact_grid": {"elements_across": 10}})
+        hot = rollfem.solve(case.with_(wheelset={"side": "both", "rotation_change": 0.2}), model="halfspace")
+        mild = rollfem.solve(case, model="halfspace")
+        found = wear.hottest(mild.models)
+        self.assertEqual(len(found), len(mild.models))
+        for model in mild.models:
+            point, here = model.points[0], found[model.key]
+            self.assertAlmostEqual(here["temperature"], point.temperature_rail[point.pressure > 0].max())
+            self.assertLess(abs(here["y_rail"] - model.place["y_rail"]), 10.0)
+        # The mirror image has the same temperature.
+        left, right = (each["temperature"] for each in found.values())
+        self.assertAlmostEqual(left, right, delta=1e-3 * left)
+        for model in hot.models:
+            with self.assertWarnsRegex(wear.HotSurfaceWarning, "above 700 degC steel transforms"):
+                wear.depth_of_pass(model, wear.ConstantCoefficient())
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            seen = []
+            wear.depth_of_pass(mild.models[0], lambda at: seen.append(at.temperature) or 0 * at.work)
+            self.assertAlmostEqual(seen[0].max(), left)
+            wear.depth_of_pass(rollfem.solve(case.with_(wheelset={"side": "both", "rotation_change": 0.2}, rail_heat={"limit": 9e3},
+                                                        wheel_heat={"limit": 9e3}), model="halfspace").models[0], wear.ConstantCoefficient())
+        with self.assertWarns(wear.HotSurfaceWarning):
+            wear.depth_of_pass(rollfem.solve(case.with_(wheel_heat={"limit": 21.0}), model="halfspace").models[0], wear.ConstantCoefficient())
+        self.assertEqual(wear.hottest(rollfem.solve(WIDE, model="halfspace").models), {})
+
     def test_beyond_the_range_of_the_tests_a_law_warns(self):
         with self.assertWarnsRegex(wear.WearRangeWarning, "work per area of 200 N/mm.2 is beyond 121"):
             wear.WorkInRegimes()(sliding(200.0))

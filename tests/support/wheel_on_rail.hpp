@@ -7,6 +7,7 @@
 #include "rollfem/rollfem.h"
 #include "support/temporary_folder.hpp"
 #include "support/test.hpp"
+#include <functional>
 
 namespace rollfem::testing {
 
@@ -90,7 +91,8 @@ inline constexpr double sphere_radius = 300.0;
 /// A wheel without a taper on a rail whose head has the wheel's radius, upright: locally a sphere
 /// of sphere_radius on a plane.
 inline Pair sphere_on_plane(const TemporaryFolder& folder, double poisson_ratio,
-                            rollfem_side side = ROLLFEM_LEFT, int elements_across = 12) {
+                            rollfem_side side = ROLLFEM_LEFT, int elements_across = 12,
+                            const std::function<void(rollfem_definition&)>& change = {}) {
   std::string wheel = "# y z, mm\n", rail = wheel;
   for (double y = -40.0; y <= 40.0; y += 0.25) wheel += std::to_string(y) + " 0.0\n";
   for (double y = -36.0; y <= 36.0; y += 0.25)
@@ -107,6 +109,7 @@ inline Pair sphere_on_plane(const TemporaryFolder& folder, double poisson_ratio,
   definition.gauge = 1451.0;
   definition.gauge_height = 1.0;  // 24.5 mm beside the middle of the rail
   definition.wheel_poisson_ratio = definition.rail_poisson_ratio = poisson_ratio;
+  if (change) change(definition);
   return make(definition);
 }
 

@@ -133,18 +133,24 @@ void PressedWheel::add(const Contact& contact, double coefficient, const PointRe
   sum.moment_bar += moment_bar + std::sqrt(dot(arm, arm)) * force_bar;
 }
 
-std::vector<FrictionForce> PressedWheel::forces(const std::vector<Creepage>& creepages,
-                                                const contact::Friction& friction) const {
+std::vector<FrictionForce> PressedWheel::forces(
+    const std::vector<Creepage>& creepages, const contact::Friction& friction,
+    const std::optional<contact::SurfaceHeat>& heat) const {
   std::vector<FrictionForce> sums(creepages.size());
   for (const Contact& contact : contacts_) {
     Scene scene = contact.scene;
     scene.friction_law = friction;
+    scene.heat = heat;
     const std::vector<Creepage> own = creepages_of(contact, creepages);
     scene.points.assign(own.size(), scene.points.front());
     for (std::size_t k = 0; k < own.size(); ++k) scene.points[k].creepage = own[k];
     const contact::ModelResult result = halfspace::run_halfspace(scene, {});
-    for (std::size_t k = 0; k < own.size(); ++k)
+    for (std::size_t k = 0; k < own.size(); ++k) {
       add(contact, friction->coefficient(), result.points[k], sums[k]);
+      if (heat && result.points[k].max_temperature)
+        sums[k].rise =
+            std::max(sums[k].rise, *result.points[k].max_temperature - heat->contact_temperature());
+    }
   }
   return sums;
 }

@@ -7,6 +7,7 @@
 #include "result/result.hpp"
 #include "track/motion/placed_scenes.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace rollfem::track {
@@ -32,6 +33,7 @@ struct FrictionForce {
   double spin_moment = 0.0;  ///< N mm
   double force_bar = 0.0;    ///< N, error bar of the force vector
   double moment_bar = 0.0;   ///< N mm
+  double rise = 0.0;         ///< K, largest of the temperature in contact; 0 without heat
 };
 
 class PressedWheel {
@@ -48,8 +50,10 @@ class PressedWheel {
   /// law (not null). The creepages refer to the main contact; the others follow from the rigid-body
   /// motion of the wheel. Displacements of one contact by the tangential forces of another are
   /// neglected. Throws contact::SolveError.
+  /// `heat`: empty: no temperatures.
   std::vector<FrictionForce> forces(const std::vector<contact::Creepage>& creepages,
-                                    const contact::Friction& friction) const;
+                                    const contact::Friction& friction,
+                                    const std::optional<contact::SurfaceHeat>& heat = {}) const;
 
  private:
   struct Contact {

@@ -45,7 +45,7 @@ double settled(const std::function<double(double)>& left, double start, double a
   if (!(std::abs(rest) <= at_rest))
     throw contact::SolveError(fmt::format(
         "{}: at {:.6g} mm the force of the wheel jumps, or the overlap cannot be solved "
-        "beyond it; {:.4g} N are left",
+        "beyond it; {:.4g} N are left; do: give track.rail_position without springs",
         what, *found, rest));
   return *found;
 }

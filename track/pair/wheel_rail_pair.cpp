@@ -240,7 +240,8 @@ QuickOutcome WheelRailPair::solve_quickly(Workspace& workspace, const WheelState
   workspace.found = find_contacts(input, search_, 1, options);
   const WheelsetPose& pose = workspace.found.front().pose;
   workspace.load = {input.load.vertical_force.value_or(0.0), sinking_of(state, pose.height),
-                    friction_falls() ? contact::friction_of(input) : friction_};
+                    friction_falls() ? contact::friction_of(input) : friction_,
+                    contact::surface_heat(input)};
   const bool touch = std::any_of(workspace.found.begin(), workspace.found.end(), touches);
   if (const auto& sinking = workspace.load.sinking; sinking && !(*sinking > 0.0 && touch)) {
     wheel = apart(pose, *sinking);

@@ -131,6 +131,20 @@ def _friction_rows(bench):
     return rows
 
 
+def _step_rows(bench):
+    """Full sliding from rest in steps: the closed form once the material has passed the patch."""
+    exact = 0.5 * MU * LARGEST * SPEED * XI * np.sqrt(A / SPEED) / (EFFUSIVITY * np.sqrt(np.pi)) * 2.1883
+    rows = []
+    for length in (0.2, 0.6):
+        steps = int(2.2 * A / length)
+        points = _run(bench, f"steps_{length}", 40, creepages=[XI] * steps,
+                      rolling=f'problem = "transient"\n[history]\nstep_length = {length}').points
+        assert len(points) == steps and points[0]["max_temperature"] < 0.5 * exact
+        rows.append(Row(f"ellipse in full sliding from rest, steps of {length} mm: largest rise at the end", "K", exact,
+                        points[-1]["max_temperature"], 3e-3, by="40 across"))
+    return rows
+
+
 def _contact_rows(bench):
     """CONTACT's numbers: by its rule, an element's own heat counts twice."""
     order = 'upwind_order = "first"'
@@ -224,7 +238,7 @@ def heat(bench):
         "Jaeger's integral in closed form; Abel's integral with friction on a grid of its own; CONTACT's printed temperatures, whose rule "
         "adds the heat of an element to its own temperature twice. The curves are those of a locomotive (106.7 kN, Polach 2005): friction "
         "from 0.36 at 20 degC to 0.12 at 300 degC (the last two fitted), against the law of slip velocity that Polach fitted to his measurement.",
-        [*_temperature_rows(bench), *_line_rows(bench), *_friction_rows(bench), *_contact_rows(bench),
+        [*_temperature_rows(bench), *_line_rows(bench), *_friction_rows(bench), *_step_rows(bench), *_contact_rows(bench),
          Row("locomotive: -F_x/F_z by heat alone from the fitted law, farthest from xi = 1 %", "", 0.0, apart, 0.02, of=1.0, of_words="1")],
         figures=[(_draw(bench, heated, fitted), "Traction of a locomotive by heat alone, and its temperature")],
         cost=[Cost("a curve of 15 load points", heated[10.0].seconds["total"], heated[10.0].unknowns)],

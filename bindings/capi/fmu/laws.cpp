@@ -11,7 +11,6 @@ int number_of_law(const char* word, char* message, std::size_t size) {
   int number = -1;
   for (const rollfem::contact::FallShape& law : rollfem::contact::fall_shapes()) {
     ++number;
-    if (law.by_temperature) continue;  // a wheel in a vehicle program has no heat
     if (std::string(word) == law.word) return number;
     words += (words.empty() ? "" : ", ") + std::string(law.word);
   }

@@ -28,6 +28,9 @@ set(fmu_reals
   "law_constant_4|parameter|0|1|the fourth (0: its default)"
   "layer_thickness|parameter|0|m|of an elastic layer between wheel and rail (0: none)"
   "layer_shear_modulus|parameter|0|Pa|of the layer"
+  "heat|parameter|0|1|1: the temperatures are computed, as with the friction_law temperature"
+  "wheel_temperature|parameter|20|degC|of the wheels before contact"
+  "rail_temperature|parameter|20|degC|of the rails before contact"
   "largest_step|parameter|0.002|s|of the integration in a communication step"
   "start_shift|parameter|0|m|lateral shift at the start, to the right"
   "start_yaw|parameter|0|rad|yaw at the start, to the right"
@@ -42,8 +45,10 @@ set(fmu_reals
   "right_fx|output||N|of the right rail on its wheel, along"
   "right_fy|output||N|of the right rail on its wheel, to the right"
   "left_t_gamma|output||N|wear number of the left wheel"
-  "right_t_gamma|output||N|wear number of the right wheel")
+  "right_t_gamma|output||N|wear number of the right wheel"
+  "left_temperature|output||degC|largest in the contacts of the left wheel (0: no heat)"
+  "right_temperature|output||degC|largest in the contacts of the right wheel (0: no heat)")
 set(fmu_strings
   "wheel_profile|parameter|S1002||built in or a file"
   "rail_profile|parameter|60E1||built in or a file"
-  "friction_law|parameter|constant||how friction falls with the slip velocity, as friction.law of a case")
+  "friction_law|parameter|constant||how friction falls with the slip velocity or the temperature, as friction.law of a case")

@@ -122,6 +122,11 @@ static void set_outputs(slave* s, const double* at, const rollfem_result* result
   }
   v[V_left_t_gamma] = result[0].creepage_work;
   v[V_right_t_gamma] = result[1].creepage_work;
+  for (int side = 0; side < 2; ++side) {
+    double* hottest = &v[V_left_temperature + side];
+    *hottest = result[side].patch[0].max_temperature; /* without a patch: 0 */
+    for (int k = 1; k < result[side].patch_count; ++k) *hottest = fmax(*hottest, result[side].patch[k].max_temperature);
+  }
 }
 
 static int advance(slave* s, double step) {
@@ -240,6 +245,9 @@ EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
     memcpy(definition.law_constants, &v[V_law_constant_1], sizeof definition.law_constants);
     definition.layer_thickness = v[V_layer_thickness];
     definition.layer_shear_modulus = v[V_layer_shear_modulus];
+    definition.has_heat = v[V_heat] != 0.0;
+    definition.wheel_heat.temperature = v[V_wheel_temperature];
+    definition.rail_heat.temperature = v[V_rail_temperature];
     s->wheel[side] = rollfem_create(&definition, s->message, TEXT);
     if (s->wheel[side] == NULL) break;
   }

@@ -56,8 +56,19 @@ typedef enum {
   ROLLFEM_CONSTANT = 0,   /* not at all */
   ROLLFEM_LINEAR = 1,     /* f(r) = max(0, 1 - r/2) */
   ROLLFEM_RATIONAL = 2,   /* 1/(1 + r) in the first part, 1/(1 + r^2) in the second */
-  ROLLFEM_EXPONENTIAL = 3 /* 2^-r */
+  ROLLFEM_EXPONENTIAL = 3, /* 2^-r */
+  ROLLFEM_TEMPERATURE = 4  /* follows the temperature of the surfaces instead (docs/heat.md): friction_coefficient up to
+                              law_constants[0] (degC; 0: 20), law_constants[2] from law_constants[1] (degC) on, linear
+                              between */
 } rollfem_law;
+
+/* How a body takes the heat of friction, in these units whatever the others. 0: of steel. */
+typedef struct {
+  double conductivity;  /* W/(m K) */
+  double heat_capacity; /* J/(kg K) */
+  double density;       /* kg/m3 */
+  double temperature;   /* degC, before contact */
+} rollfem_heat;
 
 /* Constant data of a pair. Fill it with rollfem_defaults, then change members. */
 typedef struct {
@@ -90,9 +101,11 @@ typedef struct {
   rollfem_law friction_law;
   double layer_yield_stress;   /* shear stress at which the layer yields; 0: it does not */
   double layer_hardening;      /* its rise per length by which a particle has yielded; below 0 the layer softens */
-  double law_constants[4];     /* that the law alone has, in its order; 0: their defaults (no law above has any) */
+  double law_constants[4];     /* that the law alone has, in its order; 0: their defaults */
   int threads;                 /* of a call; 0 or 1: the caller's alone. Results are the same */
   double rail_rolling_radius;  /* of a roller in place of the rail, < 0 a ring around the wheel; 0: a straight rail */
+  int has_heat;                /* 1: results have temperatures, as under ROLLFEM_TEMPERATURE */
+  rollfem_heat wheel_heat, rail_heat; /* rollfem_defaults: at 20 degC */
 } rollfem_definition;
 
 /* Which member of a state gives the load on the wheel. */
@@ -145,7 +158,9 @@ typedef struct {
   double max_pressure;
   double max_pressure_bar; /* estimated error; large near a jump of profile radius, where the peak is narrow */
   double creepage_work;    /* T-gamma, a force: power of the creep forces over the speed, including spin and extra slip */
-  double reserved[4];
+  double max_temperature;  /* degC, of both surfaces in contact; 0 without heat, like the next two */
+  double heat_wheel, heat_rail; /* heat per length rolled, a force */
+  double reserved[1];
 } rollfem_patch;
 
 typedef struct {
@@ -221,7 +236,7 @@ typedef struct {
   double friction_bound; /* coefficient of friction times normal force */
   double longitudinal_creepage, lateral_creepage;
   double spin;  /* 1/length */
-  double speed; /* length per s, of a table with several; 0: its only one */
+  double speed; /* length per s, of a table with several or with heat; 0: its only one, or that of its case */
 } rollfem_ellipse;
 
 /* Forces on the wheel. Bars: errors of the force vector and of the moment, from the table and its interpolation. */
@@ -229,6 +244,9 @@ typedef struct {
   size_t struct_size;
   double longitudinal_force, lateral_force, spin_moment;
   double force_bar, moment_bar;
+  /* K, largest rise of the temperature in contact by friction; NAN without heat in the table, or with a shear modulus
+     other than its own. Needs mm, N, MPa and, if it is not that of the table, the speed. */
+  double temperature_rise;
 } rollfem_creep_forces;
 
 /* Opens a file table.h5 or the folder that holds it. Returns NULL for an invalid table. */
@@ -261,6 +279,7 @@ typedef struct {
   double normal_force;          /* of the table, all contacts */
   double contact_angle, rolling_radius; /* of the main contact */
   int jumps; /* 1: contact jumps between the neighbouring shifts; the values are those of the nearer one */
+  double temperature_rise; /* K, as of an ellipse, largest of all contacts */
 } rollfem_wheel_forces;
 
 /* Works like rollfem_table_forces. */

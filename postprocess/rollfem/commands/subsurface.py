@@ -196,9 +196,8 @@ class Loaded:
         if self.source == "corrected":
             found, maxima = self._tractions().corrected(
                 self._case(), self.model.place, *self.semi_axes, [(each.places, each.depth_profile) for each in requests])
-            return [self._warmed(each, self._set(each, *parts)) for each, parts in zip(requests, found)], maxima
+            return [self._set(each, *parts) for each, parts in zip(requests, found)], maxima
         sets = (self._in_bodies if self.source == "bodies" else self._in_half_spaces)(requests)
-        sets = [self._warmed(each, part) for each, part in zip(requests, sets)]
         maxima = self.point.stress_maxima or (
             self._largest_at_nodes() if self.source == "bodies"
             else self._tractions().maxima([self._material(body) for body in ("wheel", "rail")], *self.semi_axes))
@@ -217,26 +216,19 @@ class Loaded:
                     maximum.update(at)
         return found
 
-    @staticmethod
-    def _set(request: Request, places: np.ndarray, displacement: np.ndarray, stress: np.ndarray, moved: float = 0.0) -> StressSet:
+    def _set(self, request: Request, places: np.ndarray, displacement: np.ndarray, stress: np.ndarray, moved: float = 0.0) -> StressSet:
+        """With temperature and thermal stress, where the load point has temperatures."""
+        heat, warm = self.heated(request.body), {}
+        if heat is not None:
+            below = np.array(places)
+            if request.depth_profile:
+                below[:, 2] -= below[0, 2]
+            elif request.places["kind"] == "surface":
+                below[:, 2] = request.places["depth"]
+            rise = heat.rise(below)
+            stress, warm = stress + heat.stress(rise), {"temperature": heat.before + rise}
         return StressSet(request.name, request.places["kind"], request.body, (request.places["points"][1], request.places["points"][0]),
-                         columns_below(places, displacement, stress), largest_in(request.body, places, stress), float(moved))
-
-    def _warmed(self, request: Request, part: StressSet) -> StressSet:
-        """With the thermal stress, where the load point has temperatures."""
-        heat = self.heated(part.body)
-        if heat is None:
-            return part
-        below = part.places
-        if request.depth_profile:
-            below[:, 2] -= below[0, 2]
-        elif part.kind == "surface":
-            below[:, 2] = request.places["depth"]
-        rise = heat.rise(below)
-        displacement = np.stack([part[f"displacement_{axis}"] for axis in "xyz"], axis=1)
-        warm = self._set(request, part.places, displacement, part.stress + heat.stress(rise), part.moved)
-        warm.columns["temperature"] = heat.before + rise
-        return warm
+                         {**columns_below(places, displacement, stress), **warm}, largest_in(request.body, places, stress), float(moved))
 
     def _in_half_spaces(self, requests: Sequence[Request]) -> list[StressSet]:
         """From integrals over the tractions. A half-space has no material beyond z = 0."""

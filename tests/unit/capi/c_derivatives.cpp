@@ -161,6 +161,11 @@ TEST(CDerivatives, OfFallingFrictionAndOfALayerAreThoseOfCentralDifferences) {
   state.rotation_speed = 20e3 / 460.0 * 1.01;  // beyond the peak
   EXPECT_LT(largest_error(make(definition), state), 0.02);
   definition = defaults(ROLLFEM_RIGHT);
+  definition.friction_law = ROLLFEM_TEMPERATURE;
+  definition.law_constants[1] = 120.0;
+  definition.law_constants[2] = 0.1;
+  EXPECT_LT(largest_error(make(definition), state), 0.02);
+  definition = defaults(ROLLFEM_RIGHT);
   definition.layer_thickness = 1.0;
   definition.layer_shear_modulus = 8200.0;
   EXPECT_LT(largest_error(make(definition), state), 0.02);

@@ -71,7 +71,7 @@ TEST(CTable, RefusesAnEllipseOutsideAndAFileThatIsNoTable) {
   const Table table = opened(some_table());
   ASSERT_NE(table, nullptr);
   const rollfem_ellipse narrow{sizeof narrow, 1.0, 5.0, 80e3, 15e3, 0.001, 0.0, 0.0, 0.0};
-  rollfem_creep_forces forces{sizeof forces, 1.0, 1.0, 1.0, 1.0, 1.0};
+  rollfem_creep_forces forces{sizeof forces, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   EXPECT_EQ(rollfem_table_forces(table.get(), &narrow, &forces, message, sizeof message),
             ROLLFEM_REFUSED);
   EXPECT_TRUE(says(message, "a/b = 0.2"));

@@ -105,11 +105,73 @@ TEST(FlashTemperature, HeatOfAFirstPatchIsCarriedToASecond) {
   for (int i = 15; i < 25; ++i) point.fields.traction.n[i] = point.fields.work[i] = 0.0;
   contact::set_temperatures(grid, heat, point);
   for (int i = 0; i < 15; ++i) {
-    double sum = 0.0;
-    for (int k = i; k < grid.nx; ++k) sum += heat.warming(grid.dx, k - i) * point.fields.work[k];
+    const int ahead = grid.nx - i;
+    const double sum = heat.warming(grid.dx, ahead).dot(point.fields.work.tail(ahead));
     const double exact = heat.contact_temperature() + speed * sum / (1.3 * steel);
     EXPECT_NEAR(point.fields.temperature_wheel[i], exact, 1e-9 * exact);
     EXPECT_NEAR(point.fields.temperature_rail[i], exact, 1e-9 * exact);
   }
   EXPECT_GT(std::abs(point.fields.temperature_wheel[20] - point.fields.temperature_rail[20]), 1.0);
+}
+
+namespace {
+
+/// A state of full sliding with the work of `heated` as traction and slip.
+PointResult sliding(const PointResult& like, const ContactGrid& grid) {
+  PointResult point = like;
+  point.fields.traction.x = -like.fields.work;
+  point.fields.traction.y = point.fields.slip.y = Field::Zero(grid.size());
+  point.fields.slip.x = Field::Ones(grid.size());
+  point.fields.work = {};
+  return point;
+}
+
+}  // namespace
+
+TEST(FlashTemperature, OfAStateThatStaysIsThatOfSteadyRollingWhateverTheSteps) {
+  ContactGrid grid;
+  const SurfaceHeat heat = heat_of(steel, 0.4 * steel, 120.0, 20.0);
+  const PointResult steady = heated(
+      heat, 40, [](double x) { return 2.0 + 0.3 * x; }, grid);
+  for (const double length : {0.3 * grid.dx, grid.dx, 2.7 * grid.dx, 30.0}) {
+    contact::HeatPast past;
+    PointResult point;
+    for (double way = 0.0; way < 25.0; way += length) {
+      point = sliding(steady, grid);
+      past.insert(past.begin(), contact::set_temperatures(grid, heat, length, past, point));
+    }
+    EXPECT_LT(
+        (point.fields.temperature_rail - steady.fields.temperature_rail).cwiseAbs().maxCoeff(),
+        1e-9)
+        << length;
+    EXPECT_LT(
+        (point.fields.temperature_wheel - steady.fields.temperature_wheel).cwiseAbs().maxCoeff(),
+        1e-9);
+    EXPECT_NEAR(*point.heat_wheel, *steady.heat_wheel, 1e-9);
+    // All that is left of earlier steps, with that of a last one without friction.
+    const Field left = contact::left_temperature(grid, heat, length, past);
+    PointResult cold = sliding(steady, grid);
+    cold.fields.slip.x.setZero();
+    contact::set_temperatures(grid, heat, length, past, cold);
+    for (int i = 0; i < grid.nx; ++i)
+      if (cold.fields.traction.n[i] > 0.0) {
+        EXPECT_NEAR(cold.fields.temperature_rail[i], left[i], 1e-9) << length;
+      }
+  }
+}
+
+TEST(FlashTemperature, OfASourceThatStaysGrowsAsTheRootOfTime) {
+  // Far from the leading edge all material has the same heat: T = 2 q sqrt(t/pi) / beta.
+  ContactGrid grid;
+  const SurfaceHeat heat = heat_of(steel, steel);
+  const PointResult all = heated(heat, 100, uniform, grid, 5.0, 0.0);
+  contact::HeatPast past;
+  for (int step = 1; step <= 40; ++step) {
+    PointResult point = sliding(all, grid);
+    past.insert(past.begin(), contact::set_temperatures(grid, heat, grid.dx, past, point));
+    const double t = (step - 0.5) * grid.dx / speed;
+    const double exact = 2.0 * speed * 2.0 * std::sqrt(t / pi) / (2.0 * steel);
+    EXPECT_NEAR(point.fields.temperature_wheel[10] / exact, 1.0, 1e-12) << step;
+    EXPECT_NEAR(*point.heat_wheel + *point.heat_rail, 2.0 * 10.0, 1e-9);
+  }
 }
