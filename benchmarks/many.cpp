@@ -91,7 +91,7 @@ void compare(const std::vector<double>& ratios, int reference) {
   double worst_force = 0.0, worst_moment = 0.0;
   std::array<int, 3> on_grid{};
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const auto& [limit, bar, across] = all[k];
+    const auto& [limit, bar, across, rise] = all[k];
     const auto& exact = fine[k].limit;
     const double force =
         std::hypot(limit.longitudinal - exact.longitudinal, limit.lateral - exact.lateral);

@@ -47,6 +47,7 @@ struct ProfileSource {
       true;  ///< a wheel with a flange or a rail with a head, which show where z points
   LengthUnit unit = LengthUnit::mm;
   std::string section;           ///< of a file with several profiles
+  std::string text;              ///< the contents of the file; empty: it is read
   bool flip = false;             ///< z -> -z: the file's z is upward
   bool reverse = false;          ///< the file's last point first
   bool sort = false;             ///< by increasing y

@@ -7,8 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "convert/equivalent.hpp"
+#include "convert/equivalent_case.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -17,9 +18,6 @@
 namespace rollfem::convert {
 
 namespace {
-
-/// Values of a load point by `section.key`.
-using Point = std::map<std::string, double>;
 
 /// Cases that share a case file.
 struct Group {
@@ -43,31 +41,6 @@ bool same_keys(const Point& a, const Point& b) {
          std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](auto& x, auto& y) {
            return x.first == y.first && (!is_load(x) || x.second == y.second);
          });
-}
-
-/// Removes the forces where none is prescribed, and the motion where forces are prescribed in all
-/// points.
-void remove_unused_values(std::vector<Point>& points) {
-  for (const std::string name : {"longitudinal", "lateral"}) {
-    const std::string force = "rolling." + name + "_force";
-    const auto prescribed = std::count_if(points.begin(), points.end(), [&](const Point& point) {
-      const auto found = point.find(force);
-      return found != point.end() && !std::isnan(found->second);
-    });
-    for (Point& point : points) {
-      if (prescribed == 0) point.erase(force);
-      if (prescribed < static_cast<std::ptrdiff_t>(points.size())) continue;
-      point.erase("rolling." + name + "_creepage");
-      point.erase("history." + name + "_shift");
-    }
-  }
-  const auto rolls = [](Point& point) {
-    const auto way = point.find("history.wheel_way");
-    return way == point.end() ||
-           std::abs(way->second - point["history.step_length"]) <= 1e-6 * way->second;
-  };
-  if (std::all_of(points.begin(), points.end(), rolls))
-    for (Point& point : points) point.erase("history.wheel_way");
 }
 
 /// Turns a shift into a step of rolling by `length`.
@@ -100,7 +73,7 @@ void follow_patch(const Group& group, Equivalent& next) {
     return;
   roll(next.varied, length);
   next.problem = "transient";
-  next.set_word("rolling", "upwind_order", "first");
+  next.set("rolling", "upwind_order", "first");
   next.fixed["contact_grid"] = group.first.fixed.at("contact_grid");
   next.notes.push_back(
       "the patch moves along x in CONTACT's axes: here the axes move with it, and it rolls");
@@ -132,22 +105,22 @@ void press_first_step(Group& group, const Equivalent& next) {
 bool joins(const Group& group, const Equivalent& next) {
   const Equivalent& first = group.first;
   return first.from_sliding == next.from_sliding && first.model == next.model &&
-         first.problem == next.problem && first.fixed == next.fixed && first.files == next.files &&
-         first.history() == next.continues && same_keys(group.points.front(), next.varied);
+         first.problem == next.problem && first.fixed == next.fixed &&
+         first.distance == next.distance && first.history() == next.continues &&
+         same_keys(group.points.front(), next.varied);
 }
 
-/// Turns a line that all cases share into a value of one of them.
+/// Turns a value that all cases share into a value of one of them.
 void loosen(Equivalent& made, const std::string& section, const std::string& key,
             const std::string& path, Point& point) {
-  auto& lines = made.fixed[section];
-  const auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& text) {
-    return text.rfind(key + " = ", 0) == 0;
-  });
-  if (line != lines.end()) {
-    point[path] = std::stod(line->substr(key.size() + 3));
-    lines.erase(line);
+  auto& settings = made.fixed[section];
+  const auto found = std::find_if(settings.begin(), settings.end(),
+                                  [&](const Setting& setting) { return setting.key == key; });
+  if (found != settings.end()) {
+    point[path] = std::get<double>(found->value);
+    settings.erase(found);
   }
-  if (lines.empty()) made.fixed.erase(section);
+  if (settings.empty()) made.fixed.erase(section);
 }
 
 /// Turns the last steady case, alone in its group, into the first step of the transient that `next`
@@ -223,6 +196,12 @@ bool are_alike(const std::vector<Point>& points) {
          });
 }
 
+std::string distance_text(const std::vector<std::array<double, 3>>& points) {
+  std::string text = "x, y, h\n";
+  for (const auto& [x, y, h] : points) text += fmt::format("{:.12g}, {:.12g}, {:.12g}\n", x, y, h);
+  return text;
+}
+
 /// Text of a section of the case file `name`; empty without keys.
 std::string section_text(const Group& group, const std::string& section, const std::string& name) {
   std::string text;
@@ -230,7 +209,7 @@ std::string section_text(const Group& group, const std::string& section, const s
   if (section == "rolling" && group.first.problem != "steady")
     add(fmt::format("problem = \"{}\"", group.first.problem));
   if (const auto fixed = group.first.fixed.find(section); fixed != group.first.fixed.end())
-    for (const std::string& line : fixed->second) add(line);
+    for (const Setting& setting : fixed->second) add(setting.line());
   const bool alike = are_alike(group.points);
   bool listed = alike && !group.first.history() && section != "load";
   for (const auto& [path, value] : group.points.front()) {
@@ -243,7 +222,7 @@ std::string section_text(const Group& group, const std::string& section, const s
   if (section == "history" && group.starts_steady) add("start = \"steady\"");
   if (section == "history" && group.first.history() && alike)
     add(fmt::format("steps = {}", group.points.size()));
-  if (section == "undeformed_distance" && !group.first.files.empty())
+  if (section == "undeformed_distance" && !group.first.distance.empty())
     add("file = " + contact::toml_text(name + "_distance.csv"));
   return text.empty() ? text : fmt::format("\n[{}]\n", section) + text;
 }
@@ -344,8 +323,8 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
                                  ? stem
                                  : fmt::format("{}_{:0{}}", stem, group.cases.front(), digits);
     CaseFile file{name + ".toml", group.cases, case_text(group, name, source), {}, group.notes};
-    for (const auto& [ending, text] : group.first.files)
-      file.attached_files[name + "_" + ending] = text;
+    if (!group.first.distance.empty())
+      file.attached_files[name + "_distance.csv"] = distance_text(group.first.distance);
     conversion.files.push_back(file);
   }
   return conversion;

@@ -87,10 +87,6 @@ std::vector<std::string> entries_of(Axes along) {
   return all;
 }
 
-std::string with_comment(const std::string& line, const std::string& comment) {
-  return comment.empty() ? line : fmt::format("{:<30} # {}", line, comment);
-}
-
 /// Features requested by the values of a digit; other values count as the last entry.
 using Words = std::map<int, const char*>;
 const Words material_words{{1, "viscoelastic bodies"},
@@ -130,7 +126,7 @@ void fill_coefficients(const ContactCase& given, Equivalent& made) {
     std::vector<double> values;
     for (const FrictionSet& one : sets) values.push_back(number(one));
     if (values.size() == 1) return made.set("friction", key, values.front(), unit);
-    made.set_list("friction", key, values, unit);
+    made.set("friction", key, values, unit);
   };
   set("coefficient", "", [](const FrictionSet& one) { return one.fstat; });
   if (given.module == 1 && sets.size() > 1) {
@@ -143,7 +139,7 @@ void fill_coefficients(const ContactCase& given, Equivalent& made) {
               "takes one for a planar contact");
   }
   if (follows_temperature(given) && given.digits.T != 0) {
-    made.set_word("friction", "law", contact::FallShape::temperature.word);
+    made.set("friction", "law", contact::FallShape::temperature.word);
     set("cold_temperature", "degC, TREF", [](const FrictionSet& one) { return one.fall[0]; });
     set("hot_temperature", "TREF + DTHEAT",
         [](const FrictionSet& one) { return one.fall[0] + one.fall[2]; });
@@ -153,7 +149,7 @@ void fill_coefficients(const ContactCase& given, Equivalent& made) {
   }
   if (!falls(given) || given.digits.T == 0) return;
   const auto number = static_cast<std::size_t>(given.friction_law - 1);
-  made.set_word("friction", "law", contact::fall_shapes().at(number).word);
+  made.set("friction", "law", contact::fall_shapes().at(number).word);
   set("kinetic_coefficient", "", [](const FrictionSet& one) { return one.fkin; });
   set("half_velocity", "mm/s", [](const FrictionSet& one) { return one.fall[1]; });
   const bool second = std::any_of(sets.begin(), sets.end(),
@@ -322,20 +318,15 @@ double in_mm(double place) {
   return std::round(place * 1e10) / 1e10;
 }
 
-void Equivalent::set(const std::string& section, const std::string& key, double value,
-                     const std::string& comment) {
-  fixed[section].push_back(with_comment(fmt::format("{} = {:.12g}", key, value), comment));
-}
-
-void Equivalent::set_list(const std::string& section, const std::string& key,
-                          const std::vector<double>& values, const std::string& comment) {
-  fixed[section].push_back(
-      with_comment(fmt::format("{} = [{:.12g}]", key, fmt::join(values, ", ")), comment));
-}
-
-void Equivalent::set_word(const std::string& section, const std::string& key,
-                          const std::string& word) {
-  fixed[section].push_back(key + " = " + contact::toml_text(word));
+std::string Setting::line() const {
+  std::string text = key + " = ";
+  if (const auto* number = std::get_if<double>(&value))
+    text += fmt::format("{:.12g}", *number);
+  else if (const auto* list = std::get_if<std::vector<double>>(&value))
+    text += fmt::format("[{:.12g}]", fmt::join(*list, ", "));
+  else
+    text += contact::toml_text(value);
+  return comment.empty() ? text : fmt::format("{:<30} # {}", text, comment);
 }
 
 void fill_bodies(const ContactCase& given, const std::array<const char*, 2>& sections,

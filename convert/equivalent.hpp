@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The equivalent of a CONTACT case in keys of a case file, and the parts without equivalent.
+// The equivalent of a CONTACT case in keys of a case, and the parts without equivalent.
 // docs/coming_from_contact.md maps digits and signs.
 #pragma once
 
+#include "case/case.hpp"
+#include "case/keys/case_keys.hpp"
+
 #include <fmt/format.h>
 
-#include "convert/contact_reader.hpp"
+#include "convert/contact_case.hpp"
+#include <array>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rollfem::convert {
@@ -15,20 +21,33 @@ namespace rollfem::convert {
 /// A coordinate, cleaned of the rounding error of its sum.
 double in_mm(double place);
 
+/// A key with its value.
+struct Setting {
+  std::string key;
+  contact::KeyValue value;
+  std::string comment;
+  /// `key = value  # comment`: numbers have twelve digits.
+  std::string line() const;
+  bool operator==(const Setting& other) const { return line() == other.line(); }
+};
+
+/// Values that may differ between load points, by `section.key`; a force that is not prescribed is
+/// nan.
+using Point = std::map<std::string, double>;
+
 struct Equivalent {
   std::string model = "halfspace";
   std::string problem;        ///< a word of rolling.problem
   bool continues = false;     ///< starts from the state of the previous case
   bool from_sliding = false;  ///< friction.branch
-  /// Lines `key = value` of each section, the same for all cases that share a file.
-  std::map<std::string, std::vector<std::string>> fixed;
-  /// Values that may differ between load points, by `section.key`.
-  std::map<std::string, double> varied;
+  /// Of each section, the same for all cases that share a file.
+  std::map<std::string, std::vector<Setting>> fixed;
+  Point varied;
   double place = 0.0;     ///< x of the patch in CONTACT's axes where ours move with it, mm
   double approach = 0.0;  ///< of the load by Hertz, mm; 0: other shapes
   std::string stresses;   ///< [[subsurface.*]] entries
-  std::map<std::string, std::string>
-      files;  ///< files beside the case file: name without stem, text
+  /// x, y and undeformed distance of every element, mm; empty: given by keys.
+  std::vector<std::array<double, 3>> distance;
 
   std::vector<std::string> impossible;  ///< physics without an equivalent, one sentence each
   std::vector<std::string>
@@ -44,11 +63,14 @@ struct Equivalent {
   void note(bool noted, const std::string& text) {
     if (noted) notes.push_back(text);
   }
-  void set(const std::string& section, const std::string& key, double value,
-           const std::string& comment = {});
-  void set_list(const std::string& section, const std::string& key,
-                const std::vector<double>& values, const std::string& comment = {});
-  void set_word(const std::string& section, const std::string& key, const std::string& word);
+  void set(const std::string& section, const std::string& key, contact::KeyValue value,
+           const std::string& comment = {}) {
+    fixed[section].push_back({key, std::move(value), comment});
+  }
+  void set(const std::string& section, const std::string& key, std::vector<double> values,
+           const std::string& comment = {}) {
+    set(section, key, contact::KeyValue(std::move(values)), comment);
+  }
 };
 
 /// `profile_folder`: path from the case file to the folder of the input file, to which its profiles
@@ -60,6 +82,9 @@ bool is_simplified(const Digits& digits);
 
 /// Whether CHI turns the axes of module 3 by half a turn.
 bool rolls_backwards(const ContactCase& given);
+
+/// A, B (1/mm) and semi-axes (mm) of a contact by IPOTCN = -1 to -3; none: of another kind.
+std::optional<std::array<double, 4>> ellipse_of_case(const ContactCase& given);
 
 /// Of the wheelset over the track, or of the surface of rollers, mm/s: module 1.
 double forward_speed(const ContactCase& given);

@@ -78,20 +78,20 @@ using Area = ElementPlaces;
 
 void set_grid(const ContactCase& given, const Area& area, double sign, Equivalent& made) {
   const double length = area.dx * given.potential.mx, width = area.dy * given.potential.my;
-  made.set_list("contact_grid", "cell_size", {area.dx, area.dy}, "mm");
-  made.set_list("contact_grid", "extent", {length, width},
-                fmt::format("mm, {} by {} elements", given.potential.mx, given.potential.my));
+  made.set("contact_grid", "cell_size", {area.dx, area.dy}, "mm");
+  made.set("contact_grid", "extent", {length, width},
+           fmt::format("mm, {} by {} elements", given.potential.mx, given.potential.my));
   const double x = in_mm(sign * (area.x + 0.5 * length));
   const double y = in_mm(sign * (area.y + 0.5 * width));
   const double rounding = 1e-9 * (length + width);
   if (std::abs(x) > rounding || std::abs(y) > rounding)
-    made.set_list("contact_grid", "middle", {x, y}, "mm");
+    made.set("contact_grid", "middle", {x, y}, "mm");
   if (given.friction.size() > 1) {
     std::vector<double> rows;
     for (int j = 0; j < given.potential.my; ++j)
       rows.push_back(in_mm(sign * (area.y + (j + 0.5) * area.dy)));
     std::sort(rows.begin(), rows.end());
-    made.set_list("friction", "lateral_position", rows, "mm, of the rows");
+    made.set("friction", "lateral_position", rows, "mm, of the rows");
   }
   fill_stresses(given, area, sign, made);
 }
@@ -169,8 +169,8 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
     made.set("given_pressure", "semi_axis_x", a, "mm");
     made.set("given_pressure", "semi_axis_y", b, "mm");
   } else {
-    made.set_list("undeformed_distance", "quadratic", {ellipse.curvatures.A, ellipse.curvatures.B},
-                  "1/mm, h = A x^2 + B y^2");
+    made.set("undeformed_distance", "quadratic", {ellipse.curvatures.A, ellipse.curvatures.B},
+             "1/mm, h = A x^2 + B y^2");
   }
   const Area area{-scale * a, -scale * b, 2.0 * scale * a / potential.mx,
                   2.0 * scale * b / potential.my};
@@ -178,13 +178,12 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
   note_resolution(ellipse.hertz, area.dx, area.dy, made);
   if (!simplified) return;
   made.model = given.digits.M == 5 ? "fastrip" : "fastsim";
-  made.set_word("fastsim", "bound", given.digits.B == 3 ? "parabolic" : "elliptic");
-  made.set_word("fastsim", "elements", "grid");
+  made.set("fastsim", "bound", given.digits.B == 3 ? "parabolic" : "elliptic");
+  made.set("fastsim", "elements", "grid");
   made.set("fastsim", "strips", std::round(potential.my / scale), "MY / SCALE");
   made.set("fastsim", "strip_elements", std::round(potential.mx / scale), "MX / SCALE");
   const auto& slope = given.bodies.slope_reduction;
-  made.set_list("fastsim", "slope_reduction", {slope.begin(), slope.end()},
-                "K0_MF, ALFAMF, BETAMF");
+  made.set("fastsim", "slope_reduction", {slope.begin(), slope.end()}, "K0_MF, ALFAMF, BETAMF");
 }
 
 /// Undeformed distance of circles along x and a polyline across, whose outer segments are
@@ -209,17 +208,16 @@ double distance_at(const UndeformedDistance& distance, std::size_t element, doub
   return B[0] * x * x + B[1] * x * y + B[2] * y * y + B[3] * x + B[4] * y + B[5];
 }
 
-/// Undeformed distance of all elements in our axes, as lines x, y, h.
-std::string lattice_text(const ContactCase& given, const Area& area, double sign) {
-  std::string text = "x, y, h\n";
-  std::size_t element = 0;
+/// Undeformed distance of all elements in our axes.
+std::vector<std::array<double, 3>> distances(const ContactCase& given, const Area& area,
+                                             double sign) {
+  std::vector<std::array<double, 3>> made;
   for (int j = 0; j < given.potential.my; ++j)
     for (int i = 0; i < given.potential.mx; ++i) {
       const double x = area.x + (i + 0.5) * area.dx, y = area.y + (j + 0.5) * area.dy;
-      text += fmt::format("{:.12g}, {:.12g}, {:.12g}\n", sign * x, sign * y,
-                          distance_at(given.distance, element++, x, y));
+      made.push_back({sign * x, sign * y, distance_at(given.distance, made.size(), x, y)});
     }
-  return text;
+  return made;
 }
 
 /// Least length of the elements of a single row over the length of the row. Their ends then change
@@ -252,13 +250,13 @@ void fill_line(const ContactCase& given, Area area, double modulus, double sign,
         fmt::format("MY = 1: DY = {:g} mm is too short for a line contact; allowed: at least {:g} "
                     "times the row of {:g} mm",
                     area.dy, longest_row, row));
-  made.set_word("geometry", "shape", "line");
+  made.set("geometry", "shape", "line");
   made.set("geometry", "width", area.dy, "mm, the width that forces refer to: DY");
   made.set("geometry", "relative_radius", radius,
            given.distance.ibase == 2 ? std::string("mm, RX1")
                                      : fmt::format("mm, B1 = {:g} /mm", given.distance.values[0]));
-  made.fixed["geometry"].push_back(
-      "reference_distance = inf      # displacements as in elements of that length");
+  made.set("geometry", "reference_distance", contact::infinity,
+           "displacements as in elements of that length");
   area.y = -0.5 * area.dy;
   set_grid(given, area, sign, made);
   made.varied.erase("rolling.spin");
@@ -311,10 +309,10 @@ void fill_distance(const ContactCase& given, double modulus, double sign, Equiva
   if (plain) {
     const HertzContact hertz = hertz_of(given, B[0], B[2], modulus);
     made.approach = hertz.approach;
-    made.set_list("undeformed_distance", "quadratic", {B[0], B[2]}, "1/mm, h = A x^2 + B y^2");
+    made.set("undeformed_distance", "quadratic", {B[0], B[2]}, "1/mm, h = A x^2 + B y^2");
     return note_resolution(hertz, area.dx, area.dy, made);
   }
-  made.files["distance.csv"] = lattice_text(given, area, sign);
+  made.distance = distances(given, area, sign);
 }
 
 /// Normal force of PEN; 0 where no closed form knows it.
@@ -357,6 +355,15 @@ void fill_motion(const ContactCase& given, double modulus, double sign, Equivale
 
 }  // namespace
 
+std::optional<std::array<double, 4>> ellipse_of_case(const ContactCase& given) {
+  if (given.potential.ipotcn >= 0 || given.potential.ipotcn < -3) return {};
+  const double modulus =
+      contact::combine(material(given.bodies, 0), material(given.bodies, 1)).contact_modulus;
+  const Ellipse found = ellipse_of(given, modulus);
+  return std::array{found.curvatures.A, found.curvatures.B, found.hertz.semi_axis_x,
+                    found.hertz.semi_axis_y};
+}
+
 void fill_single_contact(const ContactCase& given, Equivalent& made) {
   judge_values(given, made);
   if (!made.impossible.empty()) return;
@@ -372,7 +379,7 @@ void fill_single_contact(const ContactCase& given, Equivalent& made) {
   else
     fill_distance(given, modulus, *sign, made);
   if (made.model == "halfspace" && (given.digits.T == 2 || given.digits.T == 3))
-    made.set_word("rolling", "upwind_order", "first");
+    made.set("rolling", "upwind_order", "first");
 }
 
 }  // namespace rollfem::convert

@@ -22,12 +22,12 @@ void fill_profile(const ProfileFile& profile, const std::string& body,
   };
   const std::string &name = profile.name, details = body + "_profile";
   const bool absolute = !name.empty() && name.front() == '/';
-  made.set_word(body, "profile",
-                profile_folder.empty() || absolute ? name : profile_folder + "/" + name);
-  if (profile.mirror_y >= 1) made.fixed[details].push_back("mirror = true");
-  if (profile.mirror_z >= 1) made.fixed[details].push_back("flip = true");
+  made.set(body, "profile",
+           profile_folder.empty() || absolute ? name : profile_folder + "/" + name);
+  if (profile.mirror_y >= 1) made.set(details, "mirror", true);
+  if (profile.mirror_z >= 1) made.set(details, "flip", true);
   if (profile.scale == 1000.0 || profile.scale == 25.4)
-    made.set_word(details, "unit", profile.scale == 25.4 ? "inch" : "m");
+    made.set(details, "unit", profile.scale == 25.4 ? "inch" : "m");
   else
     refuse(profile.scale != 1.0,
            fmt::format("SCALE = {:g}; allowed: 1 (mm), 25.4 (inch), 1000 (m)", profile.scale));
@@ -45,7 +45,7 @@ bool on_roller(const Digits& digits) {
 void fill_displacement(const std::string& section, const std::vector<double>& values,
                        const std::vector<const char*>& keys, Equivalent& made) {
   for (std::size_t k = 0; k < keys.size(); ++k)
-    if (values[k] != 0.0 && *keys[k]) made.set_list(section, keys[k], {values[k], values[k]});
+    if (values[k] != 0.0 && *keys[k]) made.set(section, keys[k], {values[k], values[k]});
 }
 
 void fill_track(const ContactCase& given, const std::string& profile_folder, Equivalent& made) {
@@ -60,10 +60,10 @@ void fill_track(const ContactCase& given, const std::string& profile_folder, Equ
     made.set("track", "gauge", gauge, "mm");
     made.set("track", "gauge_height", height, "mm below the top of the rails");
   } else {
-    made.set_list("track", "rail_position", {sequence, gauge}, "mm, RAILY0 and RAILZ0");
+    made.set("track", "rail_position", {sequence, gauge}, "mm, RAILY0 and RAILZ0");
   }
   if (cant == 0.0)
-    made.set_word("track", "inclination", "none");
+    made.set("track", "inclination", "none");
   else
     made.set("track", "inclination", cant, "rad");
   fill_profile(pair.rail, "rail", profile_folder, made);
@@ -111,7 +111,7 @@ void fill_motion(const ContactCase& given, const Forward& forward, Equivalent& m
   else if (!by_force)
     made.set("wheelset", "rotation_change", change, "-VPITCH NOMRAD / VS - 1");
   if (!by_force) return;
-  made.set_word("wheelset", "free_rolling", digits.F == 1 ? "force" : "torque");
+  made.set("wheelset", "free_rolling", digits.F == 1 ? "force" : "torque");
   // Both are on the rail: MY turns the wheel forward.
   if (digits.F == 2)
     made.varied["wheelset.axle_torque"] = forward.sign * vpitch;
@@ -127,10 +127,9 @@ void fill_springs(const ContactCase& given, Equivalent& made) {
   // With N = 1 the height of the rail has no effect.
   constexpr double rigid = 1e9;
   const bool by_height = given.digits.N == 0;
-  made.set_list("track", "rail_stiffness", {values[0], by_height ? values[2] : rigid},
-                "N/mm, KYRAIL and KZRAIL");
-  made.set_list("track", "rail_force", {values[1], by_height ? values[3] : 0.0},
-                "N, FYRAIL and FZRAIL");
+  made.set("track", "rail_stiffness", {values[0], by_height ? values[2] : rigid},
+           "N/mm, KYRAIL and KZRAIL");
+  made.set("track", "rail_force", {values[1], by_height ? values[3] : 0.0}, "N, FYRAIL and FZRAIL");
 }
 
 /// CONTACT turns a displaced wheel and roller about the axles that they have without displacement,
@@ -187,7 +186,7 @@ void fill_wheelset(const ContactCase& given, Equivalent& made) {
   const WheelRail& pair = given.wheel_rail;
   const auto& [back_distance, back_position, radius] = pair.wheelset;
   const auto& [s, y, vertical, roll, yaw, pitch] = pair.position;
-  made.set_word("wheelset", "side", given.digits.config % 4 == 0 ? "left" : "right");
+  made.set("wheelset", "side", given.digits.config % 4 == 0 ? "left" : "right");
   made.set("wheelset", "flange_back_distance", back_distance, "mm");
   made.set("wheelset", "flange_back_position", back_position, "mm");
   const Forward forward = forward_of(given, made);
@@ -232,13 +231,13 @@ void fill_wheel_rail(const ContactCase& given, const std::string& profile_folder
   fill_profile(pair.wheel, "wheel", profile_folder, made);
   fill_track(given, profile_folder, made);
   fill_wheelset(given, made);
-  made.set_list("contact_grid", "cell_size", {pair.cell[0], pair.cell[1]}, "mm");
+  made.set("contact_grid", "cell_size", {pair.cell[0], pair.cell[1]}, "mm");
   const int D = pair.search;
-  made.set_word("halfspace", "surface", D == 4 ? "curved" : "planar");
+  made.set("halfspace", "surface", D == 4 ? "curved" : "planar");
   if (given.digits.T != 0) {
     // D = 3 and 4 take the slip of every place.
-    if (D != 3 && D != 4) made.set_word("rolling", "extra_slip", "none");
-    made.set_word("rolling", "upwind_order", "first");
+    if (D != 3 && D != 4) made.set("rolling", "extra_slip", "none");
+    made.set("rolling", "upwind_order", "first");
   }
   made.note(D > 4, fmt::format("digit D = {}: contacts are searched for as with D = 2", D));
   made.note(true,

@@ -97,6 +97,8 @@ ProfileCurve through(ProfilePoints points, const ProfileSource& source, bool whe
 
 ProfileCurve from_file(const ProfileSource& source, bool wheel, const std::string& case_file,
                        ProfileReport& report) {
+  if (!source.text.empty())
+    return through(parse_profile_points(source.text, source, wheel), source, wheel, report);
   const std::filesystem::path path = std::filesystem::path(case_file).parent_path() / source.name;
   std::error_code error;
   if (!std::filesystem::exists(path, error))

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -36,8 +37,25 @@ std::string reason_against(const contact::ModelInfo& model, const Scenes& scenes
   return {};
 }
 
-/// Which models can take the case: name, and the reason against it or nothing.
-std::string taken_by(const Scenes& scenes, const contact::ModelRegistry& models) {
+/// Which models can take the case: their names in one line, and the reason against each other one;
+/// or a line each.
+std::string taken_by(const Scenes& scenes, const contact::ModelRegistry& models, bool lines) {
+  if (!lines) {
+    std::string names;
+    std::vector<std::pair<std::string, std::string>> others;  // reason, names
+    for (const contact::ModelInfo& model : models.all()) {
+      const std::string reason = reason_against(model, scenes);
+      const auto same = std::find_if(others.begin(), others.end(),
+                                     [&](const auto& other) { return other.first == reason; });
+      std::string& list = reason.empty()         ? names
+                          : same == others.end() ? others.emplace_back(reason, "").second
+                                                 : same->second;
+      list += (list.empty() ? "" : ", ") + model.name;
+    }
+    std::string text = "models that take it: " + names + '\n';
+    for (const auto& [reason, list] : others) text += fmt::format("  not {}: {}\n", list, reason);
+    return text;
+  }
   std::string text = "which models take it\n";
   for (const contact::ModelInfo& model : models.all()) {
     const std::string reason = reason_against(model, scenes);
@@ -115,20 +133,31 @@ Json case_json(const contact::Case& input, const std::vector<std::string>& warni
 struct CheckRequest : CaseRequest {
   using CaseRequest::CaseRequest;
   bool json = false;
+  bool all = false;
 };
+
+/// The first lines of a table, unless all are asked for.
+std::string shortened(const std::string& text, bool all) {
+  constexpr std::ptrdiff_t most = 8;
+  const std::ptrdiff_t lines = std::count(text.begin(), text.end(), '\n');
+  if (all || lines <= most) return text;
+  std::size_t end = 0;
+  for (std::ptrdiff_t k = 0; k < most; ++k) end = text.find('\n', end) + 1;
+  return text.substr(0, end) + fmt::format("... and {} more rows (--all)\n", lines - most);
+}
 
 /// Prints the case and warns of doubtful values; solves nothing.
 void check_case(const CheckRequest& request) {
   const contact::ModelRegistry& models = request.call.models;
   const contact::Case input = request.read();
-  std::cout << contact::describe(input, modelling::known_names(models))
-            << contact::derived_values(input);
+  std::cout << contact::describe(input, modelling::known_names(models), request.all)
+            << (request.all ? contact::derived_values(input) : "");
   std::vector<std::string> warnings = warnings_of(input);
   modelling::Placed placed;
   if (input.has_profiles() && !request.json) {
     placed = modelling::placed_wheels(input);
     std::cout << "\nwhere wheel and rail touch\n"
-              << modelling::contacts_text(input, placed->search) << '\n';
+              << shortened(modelling::contacts_text(input, placed->search), request.all) << '\n';
   }
   Scenes scenes;
   for (std::string& refusal : refusals_of(input, models, placed, scenes))
@@ -138,7 +167,7 @@ void check_case(const CheckRequest& request) {
     print_result(case_json(input, warnings, scenes, models).dump(1));
     return;
   }
-  if (!scenes.empty()) std::cout << taken_by(scenes, models);
+  if (!scenes.empty()) std::cout << taken_by(scenes, models, request.all);
 }
 
 void new_case(const std::string& file, const contact::ModelRegistry& models) {
@@ -159,6 +188,8 @@ void add_check(CLI::App& program, Call& call) {
   CLI::App* check =
       program.add_subcommand("check", "check a case file and print how rollfem interprets it");
   check->add_option("case", request->case_file, "case file (.toml)")->required();
+  check->add_flag("--all", request->all,
+                  "every key with its default, the values that follow, and a line for each model");
   add_json_flag(*check, request->json);
   add_set_option(*check, request->changes);
   check->footer("example: rollfem check cases/s1002_uic60_left.toml");

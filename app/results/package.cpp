@@ -136,6 +136,12 @@ void add_study(CLI::App& program, Call& call) {
       ->delimiter(',');
   study->add_flag("--together", handed->flag["together"],
                   "refine everything in --vary together (default: one at a time)");
+  study
+      ->add_option(
+          "--quantity", handed->words["quantity"],
+          "quantities to follow in addition: scalars of a load point (docs/results.md), or "
+          "max_MEASURE_BODY such as max_von_mises_rail; give several in a row")
+      ->delimiter(',');
   study->add_option("--levels", handed->number["levels"],
                     "number of levels, 2 to 8 (default: 5 grids, from a quarter of the case's "
                     "elements to four times as many; 3 cell sizes, from four times the case's to "

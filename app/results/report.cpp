@@ -12,7 +12,7 @@ namespace rollfem::app {
 
 namespace {
 
-void draw_report(const std::string& directory) {
+void draw_report(const std::string& directory, const std::vector<std::string>& overlays) {
   const auto holds = [&](const char* file) {
     return std::filesystem::exists(std::filesystem::path(directory) / file);
   };
@@ -22,7 +22,7 @@ void draw_report(const std::string& directory) {
                     "study or table wrote",
                     directory));
   const std::string problem =
-      result::make_report(directory, modelling::script_directory().string());
+      result::make_report(directory, modelling::script_directory().string(), overlays);
   if (!problem.empty()) throw contact::InputError("report: " + problem);
 }
 
@@ -34,8 +34,12 @@ void add_report(CLI::App& program, Call& /*call*/) {
       program.add_subcommand("report", "draw or redraw figures and report of a stored result");
   report->add_option("result", *directory, "folder of a run, a comparison, a study or a table")
       ->required();
-  report->footer("example: rollfem report results/thesis_a");
-  report->callback([directory] { draw_report(*directory); });
+  const auto overlays = std::make_shared<std::vector<std::string>>();
+  report->add_option("--overlay", *overlays,
+                     "measured creep curves to draw over those of a run: tables (CSV) of creepage, "
+                     "traction coefficient and, if known, its bar");
+  report->footer("example: rollfem report results/thesis_a --overlay measured.csv");
+  report->callback([directory, overlays] { draw_report(*directory, *overlays); });
 }
 
 }  // namespace rollfem::app

@@ -81,8 +81,7 @@ void write_and_print(const RunRequest& request, const result::RunRecord& record)
   const bool drawn = !record.models.empty() && report_drawn(request, directory);
   if (request.quiet) return;
   std::cout << record.input.title << "\n\n"
-            << run_table(record.models)
-            << result::wheelset_table(record, model_to_print(record, models));
+            << run_table(record) << result::wheelset_table(record, model_to_print(record, models));
   std::cout << '\n' << notes_text(record.models, contact::Note::remark);
   print_where(directory, "report.html", drawn);
   print_what_is_not_stored(record, models);

@@ -4,12 +4,17 @@
 #include "result/bars.hpp"
 #include "result/derived.hpp"
 #include "result/quantities.hpp"
+#include "result/write/contents.hpp"
+#include "result/write/wheelset_rows.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace rollfem::app {
@@ -39,21 +44,42 @@ std::string bar_row(const PointResult& point) {
   return text + "\n";
 }
 
-/// Patch at the largest load, which is the load of all points except in a history.
+/// Patch at the headline of every model.
 std::string patch_table(const std::vector<ModelResult>& models) {
   std::string text =
       fmt::format("{:<19}{:>12}{:>13}{:>13}{:>15}{:>13}{:>10}\n", "model", "p0 in MPa", "a in mm",
                   "b in mm", "approach in mm", "F_z in N", "seconds");
   for (const ModelResult& model : models) {
     if (model.points.empty()) continue;
-    const PointResult& point = *std::max_element(
-        model.points.begin(), model.points.end(), [](const PointResult& a, const PointResult& b) {
-          return contact::is_solved(b) && !(a.normal_force >= b.normal_force * (1.0 - 1e-9));
-        });
+    const PointResult& point = model.points[result::headline(model)];
     text += fmt::format("{:<19}{:>12.3f}{:>13.4f}{:>13.4f}{:>15.7f}{:>13.6g}{:>10.2f}\n",
                         model.name, point.max_pressure, point.semi_axis_x, point.semi_axis_y,
                         point.approach, point.normal_force, model.total_seconds());
     text += bar_row(point);
+  }
+  return text;
+}
+
+/// What the headline of bodies that yield says of the steel, and the verdict on each; empty if
+/// nothing yields.
+std::string yielded_lines(const std::vector<ModelResult>& models) {
+  std::string text;
+  for (const ModelResult& model : models) {
+    if (model.points.empty()) continue;
+    const std::size_t at = result::headline(model);
+    const PointResult& point = model.points[at];
+    if (point.yielded.empty()) continue;
+    text += fmt::format("\n{} after {} {} of {}, which the numbers above are of:\n", model.name,
+                        point.forward_flow ? "pass" : "step", at + 1, model.points.size());
+    for (const auto& [name, unit, scale] : {std::tuple{"residual_stress", "MPa", 1.0},
+                                            {"plastic_increment", "%", 0.01},
+                                            {"net_plastic_increment", "%", 0.01},
+                                            {"groove_depth", "um", 1e-3}})
+      if (const auto value = contact::quantity_named(name).value(point))
+        text += fmt::format("  {:<30} {:>9.4g} {:<3} {}\n", contact::quantity_named(name).title,
+                            *value / scale, unit, contact::bar_text(point, name, scale));
+    for (const contact::YieldedSection& body : point.yielded)
+      text += fmt::format("  {}: {}\n", body.body, body.finding);
   }
   return text;
 }
@@ -144,7 +170,7 @@ std::string curve_table(const std::vector<const ModelResult*>& models, const std
 
 /// All tables of one patch.
 std::string scene_table(const std::vector<ModelResult>& models) {
-  std::string text = patch_table(models);
+  std::string text = patch_table(models) + yielded_lines(models);
   std::vector<const ModelResult*> with_friction;
   for (const ModelResult& model : models)
     if (model.has_friction()) with_friction.push_back(&model);
@@ -201,27 +227,89 @@ std::string with_bar(const std::string& value, const PointResult& point, const c
   return value + ' ' + contact::bar_text(point, quantity);
 }
 
-/// One line per result: place, size and the first load point with its bars.
-std::string row_table(const std::vector<ModelResult>& models) {
-  std::string text = fmt::format(
-      "{:<6}{:>3}{:>6}{:>9}{:>10}{:>11}{:>10}  {:<12}{:>9}{:>10}{:>10}{:>23}{:>13}{:>23}\n",
-      "wheel", "pos", "patch", "shift mm", "y rail mm", "y wheel mm", "angle rad", "model", "F_n N",
-      "length mm", "width mm", "p0 MPa", "xi", "-F_x/F_z");
+/// What distinguishes the positions: heading and value of each key that differs between them.
+struct Varied {
+  std::string heading;
+  std::vector<double> values;  ///< by position
+};
+std::vector<Varied> varied(const contact::Case& input) {
+  const contact::Wheelset& wheelset = input.wheelset;
+  const char* const shift = wheelset.on_rail ? "lateral mm" : "shift mm";
+  std::vector<Varied> all{{shift, wheelset.lateral_shift}, {"yaw mrad", wheelset.yaw}};
+  for (double& yaw : all[1].values) yaw *= 1e3;
+  for (const result::WayScalar& way : result::ways_of(input))
+    all.push_back({*way.unit == 'm' ? "along mm" : "angle rad", wheelset.*way.list});
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [](const Varied& one) {
+                             return std::all_of(one.values.begin(), one.values.end(),
+                                                [&](double v) { return v == one.values.front(); });
+                           }),
+            all.end());
+  return all;
+}
+
+/// One line per result: what was varied, place, size and the headline with its bars.
+std::string row_table(const std::vector<ModelResult>& models, const contact::Case& input) {
+  const std::vector<Varied> given = varied(input);
+  const bool moves = !result::ways_of(input).empty();
+  std::string text = fmt::format("{:<6}{:>4}{:>6}", "wheel", "pos", "patch");
+  for (const Varied& one : given) text += fmt::format("{:>11}", one.heading);
+  if (moves) text += fmt::format("{:>11}", "height mm");
+  text += fmt::format("{:>10}{:>11}{:>10}  {:<12}{:>9}{:>10}{:>10}{:>23}{:>13}{:>23}\n",
+                      "y rail mm", "y wheel mm", "angle rad", "model", "F_n N", "length mm",
+                      "width mm", "p0 MPa", "xi", "-F_x/F_z");
   for (const ModelResult& model : models) {
     if (model.points.empty() || !model.place) continue;
     const contact::ContactPlace& place = *model.place;
-    const PointResult& point = model.points.front();
+    const PointResult& point = model.points[result::headline(model)];
     const double coefficient =
         std::abs(point.traction_coefficient) < 5e-5 ? 0.0 : point.traction_coefficient;
+    text += fmt::format("{:<6}{:>4}{:>6}", place.side(), place.position, place.patch);
+    for (const Varied& one : given)
+      text += fmt::format("{:>11.6g}", one.values[static_cast<std::size_t>(place.position) - 1]);
+    if (moves) text += fmt::format("{:>11.4f}", point.loaded_height.value_or(place.height));
     text += fmt::format(
-        "{:<6}{:>3}{:>6}{:>9.6g} {:>9.4f} {:>10.4f} {:>9.4f}  {:<12} {:>8.5g} {:>9.3f} {:>9.3f} "
-        "{:>22} {:>12.4e} {:>22}\n",
-        place.side(), place.position, place.patch, place.lateral_shift, place.y_rail, place.y_wheel,
-        place.contact_angle, model.name, point.normal_force, point.contact_length,
-        point.contact_width,
+        "{:>10.4f}{:>11.4f}{:>10.4f}  {:<12} {:>8.5g} {:>9.3f} {:>9.3f} {:>22} {:>12.4e} {:>22}\n",
+        place.y_rail, place.y_wheel, place.contact_angle, model.name, point.normal_force,
+        point.contact_length, point.contact_width,
         with_bar(fmt::format("{:.2f}", point.max_pressure), point, "max_pressure"),
         point.creepage.longitudinal,
         with_bar(fmt::format("{:.4f}", coefficient), point, "traction_coefficient"));
+  }
+  if (moves)
+    text += "height: of the middle of the axle plus the nominal radius, under load, down\n";
+  return text;
+}
+
+/// Over a way along the track, the lowest place of each wheel and its dip angle: the steepest fall
+/// before it and rise after it, together; empty where a wheel is lowest at an end.
+std::string dip_lines(const std::vector<ModelResult>& models, const contact::Case& input) {
+  const std::vector<double>& along = input.wheelset.track_position;
+  std::string text;
+  for (const bool left : {true, false}) {
+    std::map<double, double> heights;
+    for (const ModelResult& model : models)
+      if (model.place && model.place->left == left && model.place->patch == 1 &&
+          model.name == models.front().name && !along.empty() && !model.points.empty())
+        if (const auto& height = model.points[result::headline(model)].loaded_height)
+          heights[along[static_cast<std::size_t>(model.place->position) - 1]] = *height;
+    const auto lowest =
+        std::max_element(heights.begin(), heights.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (heights.size() < 3 || lowest == heights.begin() || lowest == std::prev(heights.end()))
+      continue;
+    double fall = 0.0, rise = 0.0;
+    for (auto next = std::next(heights.begin()); next != heights.end(); ++next) {
+      const auto before = std::prev(next);
+      const double slope = (next->second - before->second) / (next->first - before->first);
+      double& steepest = next->first <= lowest->first ? fall : rise;
+      steepest = std::max(steepest, next->first <= lowest->first ? slope : -slope);
+    }
+    text += fmt::format(
+        "\n{} wheel: lowest at {:g} mm, {:.3f} mm down; dip angle {:.2f} mrad (steepest fall "
+        "before "
+        "and rise after it)\n",
+        contact::side_word(left), lowest->first, lowest->second, 1e3 * (fall + rise));
   }
   return text;
 }
@@ -256,7 +344,8 @@ std::string printed(const ModelResult& model, const contact::Note& note) {
 
 }  // namespace
 
-std::string run_table(const std::vector<ModelResult>& models) {
+std::string run_table(const result::RunRecord& record) {
+  const std::vector<ModelResult>& models = record.models;
   std::vector<std::vector<ModelResult>> scenes;
   for (const ModelResult& model : models) {
     const auto same = [&](const std::vector<ModelResult>& scene) {
@@ -269,7 +358,8 @@ std::string run_table(const std::vector<ModelResult>& models) {
     else
       found->push_back(model);
   }
-  if (scenes.size() > most_tables) return row_table(models);
+  if (scenes.size() > most_tables)
+    return row_table(models, record.input) + dip_lines(models, record.input);
   std::string text;
   for (const auto& scene : scenes) {
     if (!text.empty()) text += '\n';
@@ -281,7 +371,7 @@ std::string run_table(const std::vector<ModelResult>& models) {
 
 std::string notes_text(const std::vector<ModelResult>& models, contact::Note::Severity severity) {
   struct Said {
-    std::string model, about, text;
+    std::string model, about, text, place;
     std::set<std::string> others = {};  // patches with other numbers
   };
   std::vector<Said> all;
@@ -294,7 +384,8 @@ std::string notes_text(const std::vector<ModelResult>& models, contact::Note::Se
       };
       const auto found = std::find_if(all.begin(), all.end(), same);
       if (found == all.end())
-        all.push_back({model.name, note.about, std::move(text)});
+        all.push_back({model.name, note.about, std::move(text),
+                       model.place ? model.place->label(" wheel") : ""});
       else if (found->text != text)
         found->others.insert(model.key());
     }
@@ -302,7 +393,7 @@ std::string notes_text(const std::vector<ModelResult>& models, contact::Note::Se
   for (const Said& said : all) {
     text += said.model + ": " + said.text;
     if (!said.others.empty())
-      text += fmt::format(" (values differ for {})",
+      text += fmt::format(" ({}; values differ for {})", said.place,
                           said.others.size() == 1
                               ? "1 other patch"
                               : fmt::format("{} other patches", said.others.size()));

@@ -232,13 +232,13 @@ py::list model_infos() {
 }
 
 /// Label, parameter and scene of level k of `count`, coarsest first, refined in all of `ways`;
-/// without output and estimates that a study does not need.
+/// without fields and estimates that a study does not need.
 std::tuple<std::string, double, Scene> refined(Scene scene, const std::string& model,
                                                const std::vector<std::string>& ways, int k,
                                                int count) {
   scene.accuracy.relative.reset();
   scene.subsurface.clear();
-  scene.output.stress_maxima = scene.output.fields = false;
+  scene.output.fields = false;
   contact::RefinedInput level{"as in the case", 0.0, std::move(scene)};
   std::string label;
   for (const std::string& word : ways)

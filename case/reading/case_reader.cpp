@@ -200,16 +200,18 @@ Case defaults(const KnownNames& known) {
 /// A section without its heading. Of alternative keys only the given ones get a line; a value given
 /// in the file is never marked as the default, even if it equals it.
 std::string describe_keys(const Section& section, const Case& input, const Case& by_default,
-                          const toml::table& file) {
+                          const toml::table& file, bool every_key) {
   std::string text;
   for (const Key& key : section) {
     const KeyValue value = key.get(input);
     const bool given = !std::holds_alternative<std::monostate>(value);
     if (key.path() == "title") continue;
     if (!given && (section.alternatives || key.when_absent.empty())) continue;
+    if (!every_key && (!given || value == key.get(by_default))) continue;
     const bool is_default = given && !key.required && key.when_absent.empty() &&
                             value == key.get(by_default) && !file.at_path(key.path());
-    text += fmt::format("  {:<22} {}{}{}\n", key.name, given ? toml_text(value) : key.when_absent,
+    text += fmt::format("  {:<{}} {}{}{}\n", every_key ? key.name : key.path(), every_key ? 22 : 30,
+                        given ? toml_text(value) : key.when_absent,
                         given && !key.unit.empty() ? " " + key.unit : "",
                         is_default ? "  (default)" : "");
   }
@@ -326,25 +328,26 @@ std::string text_in_folder(const Case& input, const std::string& folder) {
   return text;
 }
 
-std::string describe(const Case& input, const KnownNames& known) {
+std::string describe(const Case& input, const KnownNames& known, bool every_key) {
   const Case by_default = defaults(known);
   const toml::table file = toml::parse(input.text + "\n");  // the reader has accepted it
   std::string text = fmt::format("{}\n", input.title);
-  if (!input.file.empty()) text += fmt::format("  {:<22} {}\n", "file", input.file);
+  if (!input.file.empty())
+    text += fmt::format("  {:<{}} {}\n", "file", every_key ? 22 : 30, input.file);
   const auto add = [&](const std::string& head, const std::string& keys) {
     if (!keys.empty()) text += head + keys;
   };
   for (const Section& section : case_sections()) {
     if (!section.applies_to(input)) continue;
     if (!section.repeated) {
-      const std::string head = section.name.empty() ? "" : "[" + section.name + "]\n";
-      add(head, describe_keys(section, input, by_default, file));
+      const std::string head = section.name.empty() || !every_key ? "" : "[" + section.name + "]\n";
+      add(head, describe_keys(section, input, by_default, file, every_key));
       continue;
     }
     Case one = input;
     for (const SubsurfaceRequest& request : input.subsurface) {
       one.subsurface = {request};
-      add("[[" + section.name + "]]\n", describe_keys(section, one, by_default, file));
+      add("[[" + section.name + "]]\n", describe_keys(section, one, by_default, file, every_key));
     }
   }
   return text;

@@ -7,7 +7,6 @@
 
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace rollfem::contact {
@@ -20,8 +19,8 @@ Case read_case(const std::string& path, const KnownNames& known = {},
 /// The same from text; messages use `name` for the file.
 Case parse_case(const std::string& text, const std::string& name, const KnownNames& known = {});
 
-/// A number or text for each "section.key".
-using NamedValues = std::vector<std::pair<std::string, std::variant<double, std::string>>>;
+/// A value for each "section.key".
+using NamedValues = std::vector<std::pair<std::string, KeyValue>>;
 
 /// A case of values, without text, that passes the same checks. Throws std::logic_error for unknown
 /// keys.
@@ -31,8 +30,9 @@ Case make_case(const NamedValues& values, const std::string& name);
 /// ignored. Throws InputError like read_case.
 std::vector<SubsurfaceRequest> read_places(const std::string& path);
 
-/// How the case is read: every key with value, unit and whether it is the default. Multi-line text.
-std::string describe(const Case& input, const KnownNames& known = {});
+/// How the case is read: every key with value, unit and whether it is the default, or only those
+/// that the case gives. Multi-line text.
+std::string describe(const Case& input, const KnownNames& known = {}, bool every_key = true);
 
 /// A commented case file with defaults, which parse_case accepts.
 std::string case_template(const KnownNames& known = {});

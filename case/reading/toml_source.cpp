@@ -373,17 +373,20 @@ GivenValue read_value(const TomlSource& source, const Key& key, const KnownNames
   return ValueReader(source, key, known, node).read();
 }
 
-GivenValue checked_value(const std::string& file, const Key& key,
-                         const std::variant<double, std::string>& value) {
-  const auto read = [&](const std::string& text, const toml::node& node) {
-    return read_value(TomlSource(text, file), key, {}, node);
+GivenValue checked_value(const std::string& file, const Key& key, const KeyValue& value) {
+  const auto read = [&](const toml::node& node) {
+    return read_value(TomlSource(toml_text(value), file), key, {}, node);
   };
-  if (const auto* text = std::get_if<std::string>(&value))
-    return read(toml_text(*text), toml::value<std::string>(*text));
+  if (const auto* text = std::get_if<std::string>(&value)) return read(toml::value(*text));
+  if (const auto* is = std::get_if<bool>(&value)) return read(toml::value(*is));
+  if (const auto* list = std::get_if<std::vector<double>>(&value)) {
+    toml::array numbers;
+    for (const double number : *list) numbers.push_back(number);
+    return read(numbers);
+  }
   const double number = std::get<double>(value);
-  return key.kind == KeyKind::integer
-             ? read(toml_text(number), toml::value<std::int64_t>(static_cast<std::int64_t>(number)))
-             : read(toml_text(number), toml::value<double>(number));
+  return key.kind == KeyKind::integer ? read(toml::value(static_cast<std::int64_t>(number)))
+                                      : read(toml::value(number));
 }
 
 }  // namespace rollfem::contact

@@ -65,7 +65,6 @@ GivenValue read_value(const TomlSource& source, const Key& key, const KnownNames
                       const toml::node& node);
 
 /// The same for a value that stands in no file; messages use `file`.
-GivenValue checked_value(const std::string& file, const Key& key,
-                         const std::variant<double, std::string>& value);
+GivenValue checked_value(const std::string& file, const Key& key, const KeyValue& value);
 
 }  // namespace rollfem::contact

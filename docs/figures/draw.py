@@ -59,16 +59,16 @@ def patch_from_the_wheel(ax):
     arrow(ax, (0, 0), (4.2, 0), "x, rolling", at=(0.65, 0.3))
     arrow(ax, (0, 0), (0, 3.3), "y", at=(0.28, 0))
     across(ax, 0, 0, False, "z")
-    arrow(ax, (0.5, -1.1), (2.1, -1.1), "ξ, F_x", BLUE, (-0.8, -0.35))
-    arrow(ax, (-1.1, 0.45), (-1.1, 1.65), "η, F_y", BLUE, (-0.8, -0.6))
-    turn(ax, (0, 0), 0.95, 20, 150, "φ, M_z", BLUE, (0.95, 1.0))
+    arrow(ax, (0.5, -1.1), (2.1, -1.1), "ξ, $F_x$", BLUE, (-0.8, -0.35))
+    arrow(ax, (-1.1, 0.45), (-1.1, 1.65), "η, $F_y$", BLUE, (-0.8, -0.6))
+    turn(ax, (0, 0), 0.95, 20, 150, "φ, $M_z$", BLUE, (0.95, 1.0))
     for y in (-1.0, 0.0, 1.0):
         edge = 2.8 * np.sqrt(1 - (y / 2) ** 2)
         if y:
             arrow(ax, (edge + 1.5, y), (edge + 0.15, y), color=RED, width=1)
     ax.text(4.2, -1.75, "leading edge:\nmaterial enters", color=RED, ha="center", va="center")
     ax.text(-4.1, 0, "trailing\nedge", color=RED, ha="center", va="center")
-    ax.text(0.1, -3.2, "positive directions of creepages and of forces on the wheel;\nfriction makes F_x < 0 for ξ > 0",
+    ax.text(0.1, -3.2, "positive directions of creepages and of forces on the wheel;\nfriction makes the force along x negative for ξ > 0",
             ha="center", va="center", color=INK)
 
 
@@ -82,7 +82,7 @@ def side_view(ax):
     arrow(ax, (0, 0), (0, 1.7), "z", at=(0.28, 0))
     arrow(ax, (0, 0), (1.9, 0), "x", at=(0.28, 0.3))
     across(ax, 0, 0, True, "y")
-    arrow(ax, (-0.3, 0.3), (-2.3, 0.3), "F_x on\nthe wheel", RED, (-1.1, 0.55))
+    arrow(ax, (-0.3, 0.3), (-2.3, 0.3), "$F_x$ on\nthe wheel", RED, (-1.1, 0.55))
     arrow(ax, (-0.2, -0.85), (1.8, -0.85), "slip of the wheel over the rail", BLUE, (-0.9, -0.45))
 
 
@@ -131,7 +131,7 @@ def contact_angle(ax):
     along, normal = np.array([np.cos(angle), -np.sin(angle)]), np.array([np.sin(angle), np.cos(angle)])
     ax.plot(*np.array([-2.6 * along, 3.4 * along]).T, color=GREY, lw=0.9, ls=(0, (4, 3)))
     ax.plot([0, 3.4], [0, 0], color=GREY, lw=0.9)
-    turn(ax, (0, 0), 2.3, 0, -np.degrees(angle), "contact angle > 0", RED, (3.6, -0.55))
+    turn(ax, (0, 0), 2.3, 0, -np.degrees(angle), "contact angle > 0", RED, (3.5, 0.4))
     arrow(ax, (0, 0), tuple(2.6 * normal), "z", BLUE, (0.3, 0.15))
     arrow(ax, (0, 0), tuple(-2.6 * along), "y", BLUE, (-0.1, 0.4))
     across(ax, 0, 0, True, "x")
@@ -187,10 +187,10 @@ def leading_edge():
     beside.plot(-d, -2.5 * d, color=BLUE)
     beside.plot(ahead, 2.5 * ahead - ahead**1.5, color=RED)
     left.axvline(0, color=GREY, lw=0.8)
-    left.text(-5.1, 0.2, "sticks: a straight line,\nfixed by its value at the edge", color=BLUE)
+    left.text(-7.8, 1.15, "sticks: a straight\nline, fixed by its\nvalue at the edge", color=BLUE)
     beside.text(0.25, 6.5, "arrives:\na line less c d^1.5", color=RED)
     left.text(-5.4, 2.55, "traction: sqrt(d)", color=INK)
-    left.text(0.15, 0.1, "leading edge", color=GREY)
+    left.text(0.15, 0.05, "leading edge", color=GREY)
     left.annotate("", (0.6, 0.55), (4, 0.55), arrowprops={"arrowstyle": "-|>", "color": GREY})
     left.text(2.3, 0.62, "material", color=GREY, ha="center")
     left.set(xlim=(-8, 4.2), ylim=(0, 3.6), xlabel="place along rolling, elements", ylabel="traction over that at d = 1",
@@ -210,7 +210,7 @@ def leading_edge():
         right.plot(x[-shown:], q[-shown:] / unit, mark, color=color, ms=5, label=label)
     right.set(xlim=(-shown, 1.6), ylim=(0, 3.3), xlabel="place along rolling, elements; border of the first element at 0",
               ylabel="traction over that at d = 1", title="Where the discrete solution puts the edge")
-    right.legend(frameon=False, loc="upper right")
+    right.legend(frameon=True, framealpha=1, edgecolor="none", loc="upper right")
     figure.tight_layout()
     return figure
 

@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -14,11 +15,20 @@ author = "the authors of rollfem"
 root_doc = "docs/site/index"
 include_patterns = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/**", "examples/**"]
 exclude_patterns = ["docs/site/doxygen*"]
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "breathe"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.mathjax", "breathe"]
+myst_enable_extensions = ["dollarmath"]
+# Debian's copy, so that the site needs no network.
+mathjax = pathlib.Path("/usr/share/javascript/mathjax")
+mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_CHTML"
+myst_update_mathjax = False  # for MathJax 3
+mathjax2_config = {"messageStyle": "none", "tex2jax": {"processClass": "math", "ignoreClass": ".*"}}
 myst_heading_anchors = 4
 html_theme = "alabaster"
 html_theme_options = {"page_width": "72em", "sidebar_width": "16em", "description": "wheel-rail rolling contact"}
 html_show_sourcelink = False
+html_static_path = ["site.css"]
+html_css_files = ["site.css"]
+html_sidebars = {"**": ["about.html", "searchbox.html", "navigation.html"]}
 
 # The module as built, without a trace of it in the sources.
 sys.dont_write_bytecode = True
@@ -44,7 +54,7 @@ EXTRACT_ALL = YES
 QUIET = YES
 MACRO_EXPANSION = YES
 # Comments of the C header are plain: those behind a member belong to it, others to what follows.
-FILTER_PATTERNS = *.h="sed -e 's|^\\( *\\)/\\*|\\1/**|' -e 's|\\([^ ] *\\)/\\* |\\1/**< |'"
+FILTER_PATTERNS = *.h="sed -e '/SPDX-License/d' -e 's|^\\( *\\)/\\*|\\1/**|' -e 's|\\([^ ] *\\)/\\* |\\1/**< |'"
 """)
 
 
@@ -64,5 +74,18 @@ def as_written(app, what, name, thing, options, lines):
             lines += [re.sub(r"([*|])", r"\\\1", row) for row in rows] + [""]
 
 
+def add_mathjax(app, error):
+    """The parts of MathJax that typeset the formulas."""
+    for part in ("MathJax.js", "config/TeX-AMS_CHTML.js", "extensions", "jax/input/TeX", "jax/element", "jax/output/CommonHTML",
+                 "fonts/HTML-CSS/TeX/woff"):
+        target = pathlib.Path(app.outdir) / "_static/mathjax" / part
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if (mathjax / part).is_dir():
+            shutil.copytree(mathjax / part, target, dirs_exist_ok=True)
+        elif (mathjax / part).exists():
+            shutil.copy(mathjax / part, target)
+
+
 def setup(app):
+    app.connect("build-finished", add_mathjax)
     app.connect("autodoc-process-docstring", as_written, priority=100)  # before napoleon

@@ -149,6 +149,11 @@ const ElementSums& of_this_processor() {
 
 }  // namespace
 
+InfluenceTable influence_table(int nx, int ny, double ratio,
+                               const contact::CombinedMaterial& material) {
+  return table_of(nx, ny, ratio, material);
+}
+
 InfluenceTables::InfluenceTables(int nx, int ny, const contact::CombinedMaterial& material)
     : nx_(nx), ny_(ny) {
   constexpr int most = steps_of_two * octaves;

@@ -62,6 +62,10 @@ struct InfluenceTable {
   }
 };
 
+/// The table of one aspect ratio.
+InfluenceTable influence_table(int nx, int ny, double ratio,
+                               const contact::CombinedMaterial& material);
+
 class InfluenceTables {
  public:
   /// For grids of up to nx by ny elements.

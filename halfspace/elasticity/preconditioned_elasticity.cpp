@@ -15,20 +15,27 @@ using contact::CombinedMaterial;
 using contact::PatchSize;
 using Eigen::Vector2d;
 
-PreconditionedElasticity::PreconditionedElasticity(const contact::Scene& scene,
-                                                   const contact::ContactGrid& grid,
-                                                   std::unique_ptr<const contact::Compliance> whole)
-    : scene_(scene), whole_(std::move(whole)), halfspace_(grid, scene.material.uncoupled()) {
-  if (scene.material.couples())
-    coupled_ = std::make_unique<HalfspaceCompliance>(grid, scene.material);
+Halfspaces::Halfspaces(const CombinedMaterial& of, const contact::ContactGrid& grid)
+    : material(of), like(std::make_shared<const HalfspaceCompliance>(grid, of.uncoupled())) {
+  if (of.couples()) coupled = std::make_shared<const HalfspaceCompliance>(grid, of);
+}
+
+bool Halfspaces::fit(const CombinedMaterial& other, const contact::ContactGrid& grid) const {
+  const contact::ContactGrid& own = like->grid();
+  const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-12 * std::abs(a); };
+  return own.nx == grid.nx && own.ny == grid.ny && same(own.dx, grid.dx) && same(own.dy, grid.dy) &&
+         own.line_reference == grid.line_reference &&
+         material.shear_modulus == other.shear_modulus &&
+         material.poisson_ratio == other.poisson_ratio && material.difference == other.difference &&
+         material.contact_modulus == other.contact_modulus && material.layer == other.layer;
 }
 
 contact::Field PreconditionedElasticity::extra_distance() const {
-  return neighbour_displacement(scene_.neighbour_loads, scene_.material, halfspace_.grid());
+  return neighbour_displacement(scene_.neighbour_loads, scene_.material, halfspaces_.like->grid());
 }
 
 contact::TangentialField PreconditionedElasticity::extra_slip() const {
-  return neighbour_slip(scene_.neighbour_loads, scene_.material, halfspace_.grid());
+  return neighbour_slip(scene_.neighbour_loads, scene_.material, halfspaces_.like->grid());
 }
 
 namespace {

@@ -11,21 +11,39 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <utility>
 
 namespace rollfem::halfspace {
+
+/// The half-spaces of a grid, which several solutions may share.
+struct Halfspaces {
+  Halfspaces(const contact::CombinedMaterial& of, const contact::ContactGrid& grid);
+  /// Whether they are those of this grid, wherever it lies.
+  bool fit(const contact::CombinedMaterial& other, const contact::ContactGrid& grid) const;
+
+  contact::CombinedMaterial material;
+  std::shared_ptr<const HalfspaceCompliance> like;     ///< without coupling
+  std::shared_ptr<const HalfspaceCompliance> coupled;  ///< null: like materials
+};
 
 class PreconditionedElasticity : public contact::Elasticity {
  public:
   /// The scene must outlive this object. `whole`: null for half-spaces.
   PreconditionedElasticity(const contact::Scene& scene, const contact::ContactGrid& grid,
-                           std::unique_ptr<const contact::Compliance> whole = nullptr);
+                           std::unique_ptr<const contact::Compliance> whole = nullptr)
+      : PreconditionedElasticity(scene, Halfspaces(scene.material, grid), std::move(whole)) {}
+  PreconditionedElasticity(const contact::Scene& scene, Halfspaces halfspaces,
+                           std::unique_ptr<const contact::Compliance> whole = nullptr)
+      : scene_(scene), whole_(std::move(whole)), halfspaces_(std::move(halfspaces)) {}
 
   bool is_halfspace() const override { return whole_ == nullptr; }
   const contact::Compliance& compliance() const override {
-    return whole_ ? *whole_ : coupled_ ? *coupled_ : halfspace_;
+    return whole_ ? *whole_ : halfspaces_.coupled ? *halfspaces_.coupled : *halfspaces_.like;
   }
-  const contact::SolvableCompliance& halfspace() const override { return halfspace_; }
-  const contact::Compliance* coupled_halfspace() const override { return coupled_.get(); }
+  const contact::SolvableCompliance& halfspace() const override { return *halfspaces_.like; }
+  const contact::Compliance* coupled_halfspace() const override {
+    return halfspaces_.coupled.get();
+  }
   contact::Field extra_distance() const override;
   contact::TangentialField extra_slip() const override;
   Eigen::Vector2d rolling_stiffness(const contact::PatchSize& patch) const override;
@@ -34,8 +52,7 @@ class PreconditionedElasticity : public contact::Elasticity {
  private:
   const contact::Scene& scene_;
   std::unique_ptr<const contact::Compliance> whole_;
-  HalfspaceCompliance halfspace_;
-  std::unique_ptr<HalfspaceCompliance> coupled_;  ///< null: like materials
+  Halfspaces halfspaces_;
 };
 
 // Start of the search for the creepage or shift of a prescribed force: Kalker's linear theory

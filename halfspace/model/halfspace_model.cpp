@@ -423,8 +423,10 @@ int columns_for_steps(const Scene& scene, const PatchSearch& area, double dx) {
 class HalfspaceElasticity : public PreconditionedElasticity {
  public:
   HalfspaceElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
-                      const ContactGrid& grid)
-      : PreconditionedElasticity(scene, grid), scene_(scene), geometry_(geometry) {}
+                      Halfspaces halfspaces)
+      : PreconditionedElasticity(scene, std::move(halfspaces)),
+        scene_(scene),
+        geometry_(geometry) {}
 
   void check_patch(const PatchSize& found) const override {
     PatchSize patch = found;
@@ -541,7 +543,12 @@ Refinement contact_grid() {
 std::unique_ptr<contact::Elasticity> halfspace_elasticity(const Scene& scene,
                                                           const contact::ChartedGeometry& geometry,
                                                           const ContactGrid& grid) {
-  return std::make_unique<HalfspaceElasticity>(scene, geometry, grid);
+  return halfspace_elasticity_of(scene, geometry, Halfspaces(scene.material, grid));
+}
+
+std::unique_ptr<contact::Elasticity> halfspace_elasticity_of(
+    const Scene& scene, const contact::ChartedGeometry& geometry, Halfspaces halfspaces) {
+  return std::make_unique<HalfspaceElasticity>(scene, geometry, std::move(halfspaces));
 }
 
 contact::LevelResult solve_level(const Scene& scene, const PatchSearch& area, double dx, double dy,

@@ -5,6 +5,7 @@
 #include "base/checkpoint.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "contact/solve/model.hpp"
+#include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/patch/patch_search.hpp"
 
 #include <functional>
@@ -17,6 +18,9 @@ namespace rollfem::halfspace {
 std::unique_ptr<contact::Elasticity> halfspace_elasticity(const contact::Scene& scene,
                                                           const contact::ChartedGeometry& geometry,
                                                           const contact::ContactGrid& grid);
+/// The same on half-spaces that are already known.
+std::unique_ptr<contact::Elasticity> halfspace_elasticity_of(
+    const contact::Scene& scene, const contact::ChartedGeometry& geometry, Halfspaces halfspaces);
 
 /// Elasticity on the grids of a model: the half-space, or one preconditioned by a half-space.
 struct GridElasticity {

@@ -51,7 +51,9 @@ std::string progress_line(const contact::ProgressEvent& event, double seconds) {
 ProgressDisplay::Mode ProgressDisplay::mode_of_stderr() {
   const char* terminal = std::getenv("TERM");
   const bool dumb = terminal == nullptr || std::strcmp(terminal, "dumb") == 0;
-  return isatty(STDERR_FILENO) == 1 && !dumb ? Mode::terminal : Mode::plain;
+  if (const char* wanted = std::getenv("ROLLFEM_PROGRESS"); wanted && *wanted) return Mode::plain;
+  if (isatty(STDERR_FILENO) != 1) return Mode::silent;  // a file is for errors and warnings
+  return dumb ? Mode::plain : Mode::terminal;
 }
 
 ProgressDisplay::~ProgressDisplay() {

@@ -157,7 +157,7 @@ class Written(Tabular):
 
         Args:
             name: Of its file in figures/, without .svg: of a result "creep_curve" (the default), "path_x", "outlines",
-                "oblique_px_halfspace", ...; with several patches "s1_path_x", "wheelset", "positions", ...; of a table
+                "pressure_map_halfspace", ...; with several patches "s1_path_x", "wheelset", "positions", ...; of a table
                 "table_curves" (the default), "table_surfaces", "table_ratios", "table_shifts", "table_wheels",
                 "table_errors"; of a study "error_unknowns", ...
         Returns:

@@ -102,6 +102,16 @@ class ModelResult(Gridded, Named):
                        for number, (_, point) in enumerate(points)]
 
     @property
+    def headline(self) -> Point | None:
+        """The load point whose numbers stand for the model: the last pass over bodies that yield, otherwise the first one at the
+        largest normal force; None if none has a solution."""
+        solved = [p for p in self.points if p.scalars.get("normal_force") is not None]
+        if not solved or solved[0].by_number == "pass":
+            return solved[-1] if solved else None
+        largest = max(p["normal_force"] for p in solved)
+        return next(p for p in solved if p["normal_force"] >= largest * (1 - 1e-9))
+
+    @property
     def has_friction(self) -> bool:
         """Whether the model covers friction."""
         return any(p["max_traction"] > 0 or any(p.creepages) for p in self.points)
@@ -274,6 +284,7 @@ class Result(Written):
     quantities: Annotated[dict[str, Quantity], "what the numbers are"] = field(default_factory=dict)
     profiles: Annotated[dict[tuple[str, int], dict[str, np.ndarray]], "by wheel and position rail and wheel [n, 2], y and z "
                         "on the track (mm)"] = field(default_factory=dict)
+    overlays: list[tuple[str, np.ndarray]] = field(default_factory=list)  # for creep curves: (name, [n, 2 or 3] creepage, value, bar)
     reference: str = ""  # name of the reference model of figures, if the user has chosen one
     default_reference: str = ""  # that of the command, otherwise the best one of the run
     _core: "CoreResult | None" = None

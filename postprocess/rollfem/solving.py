@@ -132,7 +132,8 @@ def in_python(error: InputError) -> InputError:
 
 
 def study(case: CaseLike, /, *, model: str | None = None, models: Models = None, vary: str | Sequence[str] = (),
-          together: bool = False, levels: int = 0, reference: str | Sequence[str] = (), progress: Told = None) -> Study:
+          together: bool = False, levels: int = 0, quantity: str | Sequence[str] = (), reference: str | Sequence[str] = (),
+          progress: Told = None) -> Study:
     """Solves a case on successively finer grids, cells, degrees or domains.
 
     Args:
@@ -141,6 +142,7 @@ def study(case: CaseLike, /, *, model: str | None = None, models: Models = None,
         vary: "grid", "cell", "degree", "domain"; otherwise as the model has it.
         together: Refine all of `vary` at once instead of one at a time.
         levels: 2 to 8; 0: as the model has it.
+        quantity: Followed in addition: scalars of a load point, or "max_von_mises_rail" and the like.
         reference: "exact", "finest", "extrapolated" or "QUANTITY=VALUE".
     Raises:
         InputError: The case or the call is wrong.
@@ -161,7 +163,7 @@ def study(case: CaseLike, /, *, model: str | None = None, models: Models = None,
         names = _core.checked_names(names, "models")
     core = checked(case).core
     try:
-        wishes = Wishes(names, listed("vary", vary), together, levels, listed("reference", reference))
+        wishes = Wishes(names, listed("vary", vary), together, levels, listed("quantity", quantity), listed("reference", reference))
         wishes.check(core)
         work = _core.Computation(wishes.named(), progress)
         made = Refined(wishes, core, work)

@@ -372,6 +372,18 @@ Tree head_tree(const RunRecord& run) {
   return tree;
 }
 
+std::size_t headline(const ModelResult& model) {
+  std::size_t best = 0;
+  const auto& points = model.points;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    if (!contact::is_solved(points[k])) continue;
+    const bool of_passes = points[k].forward_flow.has_value();  // steps of a pressed body have none
+    if (of_passes || !(points[best].normal_force >= points[k].normal_force * (1.0 - 1e-9)))
+      best = k;
+  }
+  return best;
+}
+
 Tree place_tree(const contact::ContactPlace& place) {
   Tree tree;
   fill(tree, place);

@@ -54,6 +54,10 @@ Tree keys_tree(const contact::Case& input);
 /// A model without its load points.
 Tree model_tree(const contact::ModelResult& model, const contact::Case& input);
 
+/// The load point, from 0, whose numbers stand for the model: the last pass over bodies that yield,
+/// otherwise the first one at the largest normal force; 0 without a solution.
+std::size_t headline(const contact::ModelResult& model);
+
 /// A load point, counted from 0, with its fields if they are kept. A quantity that a point without
 /// solution lacks is nan.
 Tree point_tree(const contact::ModelResult& model, std::size_t number, bool with_fields);

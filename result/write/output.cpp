@@ -131,6 +131,7 @@ ordered_json model_json(const contact::ModelResult& model, const contact::Case& 
   ordered_json json{{"name", model.name}};
   json.update(json_of(model_tree(model, input)));
   if (!model.choice.empty()) json["chosen_by"] = "auto";
+  json["headline"] = headline(model);
   json["points"] = ordered_json::array();
   for (std::size_t k = 0; k < model.points.size(); ++k)
     json["points"].push_back(point_json(model, k));

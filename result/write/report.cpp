@@ -145,15 +145,17 @@ std::string become_package(const std::vector<std::string>& words,
   return cannot_run(call[0], errno);
 }
 
-std::string make_report(const std::string& path, const std::string& script_directory) {
+std::string make_report(const std::string& path, const std::string& script_directory,
+                        const std::vector<std::string>& overlays) {
   const fs::path parent = package_parent(script_directory);
   if (parent.empty()) return fmt::format("no Python package rollfem in {}", script_directory);
   const fs::path what = fs::absolute(path);
   // Python searches its starting folder for modules first. It starts in the package's folder,
   // because in the user's folder a numpy.py would run.
-  const std::string printed =
-      run({find_python(parent), "-B", "-X", "utf8", "-m", "rollfem", what.string()}, environment(),
-          parent.string());
+  std::vector<std::string> call{find_python(parent), "-B", "-X", "utf8", "-m", "rollfem"};
+  call.push_back(what.string());
+  for (const std::string& overlay : overlays) call.push_back(fs::absolute(overlay).string());
+  const std::string printed = run(std::move(call), environment(), parent.string());
   return one_line(fs::is_regular_file(what) ? what.parent_path() : what, printed);
 }
 

@@ -14,7 +14,9 @@ namespace rollfem::result {
 /// rollfem or the folder that holds it. Python is taken from the environment variable
 /// ROLLFEM_PYTHON, else from the virtual environment that holds the package, else /usr/bin/python3,
 /// else python3 on PATH; it imports no module from the current folder.
-std::string make_report(const std::string& path, const std::string& script_directory);
+/// `overlays`: tables of measured creep curves, drawn over those of a run.
+std::string make_report(const std::string& path, const std::string& script_directory,
+                        const std::vector<std::string>& overlays = {});
 
 /// Runs `python3 -m rollfem WORDS` in place of this program. Returns why, if that fails.
 std::string become_package(const std::vector<std::string>& words,

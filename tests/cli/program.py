@@ -100,7 +100,7 @@ class Folder:
     def execute(self, *command, watch=None, **environment):
         """A command in `work`, without a cache unless `environment` names one. `watch` is called every few
         milliseconds until it returns a signal, which is sent once."""
-        environment = os.environ | {"ROLLFEM_CACHE": ""} | environment
+        environment = os.environ | {"ROLLFEM_CACHE": "", "ROLLFEM_PROGRESS": "lines"} | environment
         with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
             process = subprocess.Popen(command, cwd=self.work, env=environment, stdin=subprocess.DEVNULL,
                                        stdout=out, stderr=err)

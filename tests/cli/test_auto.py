@@ -105,9 +105,9 @@ DISC_ENDS = SOURCE / "cases/verification/twin_disc_ends.toml"
 
 @pytest.mark.parametrize("keys, more, said, of_model", [
     (YIELDS, [], "model auto: wheel_plasticity or rail_plasticity: it cannot handle bodies",
-     "  auto                   no: wheel_plasticity"),
+     "  not auto, hertz, "),
     (BOTH, [], "models: auto cannot be combined", ""),
-    (DISC_ENDS, ["--set", 'models=["carter"]'], "model carter: ", "\n  carter                 no: ")])
+    (DISC_ENDS, ["--set", 'models=["carter"]'], "model carter: ", "\n  not carter: ")])
 def test_check_warns_with_the_sentence_of_the_run_that_refuses(rollfem, keys, more, said, of_model):
     file = rollfem.case(keys) if isinstance(keys, dict) else keys
     run = rollfem.call("run", "--no-report", file, *more)

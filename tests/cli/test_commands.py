@@ -17,7 +17,9 @@ def test_check_accepts_every_committed_case(rollfem, file):
     else:
         assert outcome.err == ""
     if file.stem.startswith("thesis_"):
-        says(outcome.out, "normal_force           50000 N")
+        says(outcome.out, "load.normal_force              50000 N", "models that take it: auto, hertz")
+        says(rollfem.done("check", file, "--all").out, "[load]\n  normal_force           50000 N", "(default)", "\n  E* ")
+    assert len(outcome.out.splitlines()) <= 36 and "(default)" not in outcome.out
     assert rollfem.made() == []
 
 

@@ -6,6 +6,7 @@ import html.parser
 import math
 import os
 import re
+import shutil
 
 import numpy as np
 import program
@@ -15,7 +16,7 @@ from program import SMALL, TOY_PROGRAM, TWO_POSITIONS, package, says
 package()  # puts it on the path
 from rollfem.figures import curves, labels, load_points, maps, page, positions
 from rollfem.figures.maps import at_points, contour_lines
-from rollfem.figures.figure import Axis, nice_step, tick_text
+from rollfem.figures.figure import Axis, Panel, broken, nice_step, tick_text
 from rollfem.figures.profiles import on_scale
 from rollfem.reader import read_result
 from rollfem.stresses import stress_measures
@@ -55,6 +56,23 @@ def test_contours_are_the_lines_of_the_field():
     points = np.array([[0.31, -1.7], [-1.99, 2.99]])
     assert np.allclose(at_points(x, y, 3 * x[None, :] - y[:, None], points), 3 * points[:, 0] - points[:, 1])
     assert np.allclose(on_scale([0, 1e-3, -1e-2, 1e-1]), [0, 0.6, -1.6, 2.6])
+
+
+def test_words_that_do_not_fit_are_broken_outside_symbols_and_never_cut():
+    assert broken("along the track", 1000) == ["along the track"]
+    rows = broken("largest pressure $p_0$ at $x$ = 0 [MPa]", 110)
+    assert len(rows) > 1 and " ".join(rows) == "largest pressure $p_0$ at $x$ = 0 [MPa]"
+    assert all(row.count("$") % 2 == 0 for row in rows)
+    panel = Panel(60, 60, "a title much wider than its narrow field, unbreakablewordthatislong")
+    wide, _, content = panel.svg()
+    assert wide > labels.width("unbreakablewordthatislong") and content.count('class="t"') > 1
+
+
+def test_markers_at_the_end_of_an_axis_with_one_given_limit_are_not_cut():
+    axis = Axis()
+    axis.limits = (0.0, None)
+    axis.see([80.047, 80.048])
+    assert axis.range()[0] == 0.0 and axis.range()[1] > 80.048 * 1.04
 
 
 def test_labels_have_their_symbols_in_svg_html_and_words():
@@ -116,7 +134,7 @@ def test_a_row_of_shifts_has_its_wheelset_in_a_table_and_a_figure(rollfem):
         "wheelset.lateral_shift": [0.0, 1.0, 2.0], "wheelset.roll": 0.0, "rolling.longitudinal_creepage": 0.001}),
         "-o", "out")
     text = rollfem.text("out/report.html")
-    part = text[text.index("Wheelset over lateral shift"):text.index('<h2 id="where-wheel-and-rail-touch"')]
+    part = text[text.index('<h2 id="wheelset-over-lateral-shift"'):text.index('<h2 id="where-wheel-and-rail-touch"')]
     rows = re.findall(r"<tr><th scope=row>(.*?)</th>(.*?)</tr>", part)
     assert [float(shift.replace("−", "-")) for shift, _ in rows] == [0.0, 1.0, 2.0]
     wave = 2e-3 * math.pi * math.sqrt(1500.0 * 460.0 / (2 * 0.05))  # m
@@ -160,9 +178,10 @@ def drawn(result, folder):
 def test_all_are_drawn_and_the_report_holds_them_without_the_network(solved):
     figures = {path.stem: path.read_text("utf-8") for path in (solved.work / "out/figures").iterdir()}
     assert figures.keys() >= {"creep_curve", "path_x", "path_y", "path_lateral", "outlines", "contact_area", "strip_force",
-                              "oblique_px_strip", "oblique_px_halfspace", "oblique_pn_hertz", "stress_1", "stress_3"}
+                              "pressure_map_strip", "pressure_map_halfspace", "pressure_map_hertz", "stress_1", "stress_3"}
     # A frictionless model has no tangential tractions to draw, but a pressure; a plane is no line.
-    assert not figures.keys() & {"oblique_px_hertz", "stress_2"}
+    assert "tangential" not in figures["pressure_map_hertz"] and "tangential" in figures["pressure_map_strip"]
+    assert "stress_2" not in figures
     assert all("</svg>" in text and len(text) < 1500000 for text in figures.values())
     text = solved.text("out/report.html")
     assert [link for link in ("http:", "https:", 'src="/', "<script", "@import", "url(", "<img") if link in text] == []
@@ -206,6 +225,17 @@ def test_points_without_fields_and_models_without_points_break_nothing(solved, t
     assert drawn(result, tmp_path)
 
 
+def test_a_measured_curve_lies_over_the_creep_curve(solved, rollfem):
+    table = rollfem.file("measured.csv", "# twin disc, dry\ncreepage [%],traction coefficient,bar\n0.1,0.11,0.01\n0.4,0.25,0.02\n")
+    shutil.copytree(solved.work / "out", rollfem.work / "out")
+    rollfem.done("report", "out", "--overlay", table)
+    says(rollfem.text("out/figures/creep_curve.svg"), "twin disc, dry", "twin disc, dry 0.11 to 0.25")
+    says(rollfem.text("out/report.html"), "twin disc, dry")
+    name, values = curves.read_overlay(table)
+    assert name == "twin disc, dry" and values.tolist() == [pytest.approx([0.001, 0.11, 0.01]), pytest.approx([0.004, 0.25, 0.02])]
+    rollfem.refuses("report", "out", "--overlay", rollfem.file("words.csv", "creepage,value\nhigh,low\n"), says="is no table of numbers")
+
+
 def test_a_model_that_did_not_converge_is_named(solved, tmp_path):
     result = read_result(str(solved.work / "out"))
     result["halfspace"].points[3].scalars["converged"] = False
@@ -221,7 +251,7 @@ def test_lateral_creepage_spin_and_an_unknown_model_are_drawn(rollfem):
     says(rollfem.text("out/report.html"), "Lateral force", "stiff half-space")
 
 
-def test_lines_go_through_the_largest_pressure_and_oblique_views_have_room_for_it(rollfem):
+def test_lines_go_through_the_largest_pressure_and_maps_have_room_for_it(rollfem):
     """A patch that lies 8 mm beside the contact point, as between tread and flange."""
     rollfem.file("beside.csv", "".join(f"{x} {y} {x * x / 400 + (y - 8) ** 2 / 1000}\n"
                                        for y in range(-20, 36) for x in range(-20, 21)))
@@ -238,8 +268,8 @@ def test_lines_go_through_the_largest_pressure_and_oblique_views_have_room_for_i
     assert np.nanmax(curves.line_of("x", at)(model, model.points[0], "pressure")[1]) > 0.98 * pressure.max()
     assert model.line(pressure, "x").max() < 0.9 * pressure.max()
     assert re.search(r'at <tspan class="it">y</tspan> = [78]', curves.path(result, "x").svg())
-    view = maps._Oblique(model, pressure)
-    assert maps.oblique(result, model).panels[0].y.limits[1] > view(0, model.y[:, None], pressure)[..., 1].max()
+    panel = maps.pressure(result, model).panels[0]
+    assert panel.y.limits[1] > model.y[(pressure > 0).any(axis=1)].max() > 8
 
 
 def test_a_falling_law_is_drawn_with_initial_slope_and_peak_of_the_creep_curve(rollfem, tmp_path):

@@ -68,7 +68,7 @@ def test_the_summary_has_the_documented_keys_and_no_others(solved):
     assert list(summary) == "format title case_file case_checksum program verdict models checksum".split()
     assert summary["format"] == 3 and list(summary["program"]) == ["version", "commit"]
     for model in summary["models"]:
-        assert list(model) == "name label unknowns contact_elements seconds notes points".split()
+        assert list(model) == "name label unknowns contact_elements seconds notes headline points".split()
 
 
 def test_scalars_are_described_in_results_h5_in_headings_and_in_the_documentation(solved, stored):

@@ -198,3 +198,29 @@ def test_under_mpirun_the_levels_are_divided_among_the_processes(rollfem):
     assert timeless(rollfem.work / "whole/study.json") == timeless(rollfem.work / "out/study.json")
     assert json.loads(rollfem.text("out/study.json"))["processes"] == 1
     assert not list(rollfem.work.glob("out.*"))
+
+
+def test_follows_the_largest_stresses_of_the_case_and_any_other_scalar(rollfem):
+    # Hertz on a sphere: the largest orthogonal shear on y = 0 is 0.214 p0 of a circle (Johnson 1985), p0 = 1.5 F / (pi a^2).
+    case = SMALL | {"wheel.transverse_radius": 500.0, "wheel.rolling_radius": 500.0, "rail.transverse_radius": math.inf,
+                    "output.stress_maxima": True, "rolling.longitudinal_creepage": 0.0, "contact_grid.elements_across": 40}
+    rollfem.done("study", rollfem.case(case), "--levels", "2", "--quantity", "contact_area", "elastic_energy", "-o", "out")
+    rows = rollfem.rows("out/study.csv")
+    found = {row["quantity"]: float(row["value"]) for row in rows if row["level"] == rows[-1]["level"]}
+    assert found["max_orthogonal_shear_rail"] / found["max_pressure"] == pytest.approx(0.214, abs=0.004)
+    assert found["contact_area"] == pytest.approx(math.pi * found["semi_axis_x"] * found["semi_axis_y"], rel=0.02)
+    assert found["elastic_energy"] > 0
+    page = rollfem.text("out/study.html")
+    assert "largest orthogonal shear stress in the rail" in page and "contact area" in page
+    rollfem.refuses("study", rollfem.case(case), "--quantity", "beauty", says="is no scalar of a load point")
+
+
+@pytest.mark.skipif(not FEM, reason="without finite elements")
+def test_levels_begin_where_the_patch_has_enough_cells(rollfem):
+    # Hertz: 2 b = 9.09 mm, in which cells of 3.2 mm fit 2.8 times.
+    case = SMALL | {"load.normal_force": 60e3, "wheel.rolling_radius": 460.0, "wheel.transverse_radius": math.inf,
+                    "rail.transverse_radius": 300.0, "rolling.longitudinal_creepage": 0.0, "fem.cell_size": 0.8}
+    rollfem.done("study", rollfem.case(case), "--model", "fem", "--no-report", "-o", "out")
+    series, = rollfem.json("out/study.json")["places"][0]["series"]
+    says(series["left_out"], "3.2 mm: only 2.8 cells across the patch")
+    assert [level["parameter"] for level in series["levels"]] == [1.6, 0.8]

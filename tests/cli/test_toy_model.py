@@ -25,7 +25,7 @@ def test_is_in_help_docs_checks_and_messages(rollfem, toy, done):
         says(done(command, "--help").out, "the half-space, less compliant")
     says(done("docs", "models").out, "| `stiff` | stiff half-space |")
     says(done("docs", "case-file").out, "halfspace, hybrid, fem, stiff |")
-    says(done("check", file).out, "stiff                  the half-space, less compliant")
+    says(done("check", file, "--all").out, "stiff                  the half-space, less compliant")
     says(toy("run", file, "--model", "stif").err, "halfspace, hybrid, fem, stiff; do: ")
     # Without it the same file is refused, with line, key, value and allowed values.
     without = rollfem.call("check", file)
@@ -46,7 +46,7 @@ def test_brings_its_own_section_of_the_case_file(rollfem, toy, done):
     file = rollfem.case(QUICK | keys, "k.toml")
     says(done("docs", "case-file").out, "## [stiff]\n\nModel `stiff`.", "| `compliance` | 0.1 to 1 | 0.9 | Compliance over")
     says(done("new-case").out, "[stiff]\n# Compliance over that of the bodies.")
-    says(done("check", file).out, "[stiff]\n  compliance             0.5\n")
+    says(done("check", file, "--all").out, "[stiff]\n  compliance             0.5\n")
     refused(toy("check", file, "--set", "stiff.compliance=2"), "stiff.compliance=2: is out of bounds; allowed: a number from 0.1 to 1; do: ")
     refused(toy("check", file, "--set", "stiff.complyance=0.6"), "did you mean `compliance`?")
     layer = rollfem.case(QUICK | keys | {"layer.thickness": 0.02, "layer.shear_modulus": 800.0}, "l.toml")

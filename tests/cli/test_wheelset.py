@@ -61,7 +61,7 @@ def test_run_solves_every_patch_and_row_has_one_line_a_position_with_both_wheels
     says(out, "y rail mm")
     # The terminal shows one line per position, one per patch, and notes common to all patches once.
     for words in ("the wheelset, by halfspace at the first load point", "\n   2         2   ", "halfspace: error bars: ",
-                  "(values differ for 2 other patches)"):
+                  "(left wheel, position 1; values differ for 2 other patches)"):
         assert out.count(words) == 1, out
     assert out.count("\nleft ") + out.count("\nright") == 4
     first, second = map(numbers, rollfem.rows("out/wheelset.csv"))
@@ -142,8 +142,13 @@ def test_the_load_moves_from_the_wing_to_the_nose_of_a_crossing(rollfem):
     check = rollfem.done("check", crossing)
     says(check.out, "where wheel and rail touch")
     assert check.err == ""
-    rollfem.done("run", crossing, "-o", "out", "--set", "contact_grid.elements_across=8", "--set",
-                 "placement.track_position=[50.0, 80.0, 110.0]")
+    out = rollfem.done("run", crossing, "-o", "out", "--set", "contact_grid.elements_across=8", "--set",
+                       "placement.track_position=[50.0, 80.0, 110.0]").out
+    says(out, "along mm", "height mm")
+    assert "shift mm" not in out and "lateral mm" not in out  # the same at every position
+    at, down = zip(*((float(row["track_position"]), float(row["right loaded_height"])) for row in rollfem.rows("out/wheelset.csv")))
+    dip = 1e3 * ((down[1] - down[0]) / (at[1] - at[0]) + (down[1] - down[2]) / (at[2] - at[1]))
+    says(out, f"right wheel: lowest at 80 mm, {down[1]:.3f} mm down; dip angle {dip:.2f} mrad")
     contacts = list(map(numbers, rollfem.rows("out/contacts.csv")))
     assert len(contacts) == 4
     wing, nose = ({each["track_position"]: each["vertical_force"] for each in contacts if (each["y_rail"] > 40) == on_wing}

@@ -3,6 +3,7 @@
 """Bodies that yield: what is read of them, and their figures and table in the report.
 Call: yielded.py SOURCE_FOLDER PROGRAM; rollfem is found by PYTHONPATH."""
 import base64
+import json
 import pathlib
 import struct
 import subprocess
@@ -140,8 +141,17 @@ class Yielded(unittest.TestCase):
         page = (self.path / "run/report.html").read_text(encoding="utf-8")
         for words in ("Steel that yields</h2>", "<th scope=col>pass</th>", f"rail: {self.points[-1].yielded['rail']['verdict']}",
                       "Shakedown map with the passes", "yield stress in shear k = 300.2 MPa (wheel), k = 259.8 MPa (rail)",
-                      "before the first pass", "Section of the rail after pass 3", ">pass 2<"):
+                      "before the first pass", "Section of the rail after pass 3", ">pass 2<", "after the last pass (3)"):
             self.assertIn(words, page)
+
+    def test_the_last_pass_is_the_headline(self):
+        last, answer = self.points[-1], (self.path / "run/report.html").read_text(encoding="utf-8")
+        answer = answer[answer.index('<h2 id="the-answer"'):answer.index("<details>")]
+        for words in ("after the last pass of 3", f"{last.max_pressure:#.5g}".rstrip("."), "residual compression", "shakedown",
+                      f"rail: {last.yielded['rail']['verdict']}"):
+            self.assertIn(words, answer)
+        with open(self.path / "run/summary.json", encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["models"][0]["headline"], 2)
 
     def test_paraview_has_plastic_strain_at_the_nodes(self):
         for name, body in self.points[-1].yielded.items():

@@ -8,7 +8,8 @@ profiles and meshes know cases and scenes, no solver; track places profiles, fin
 rotation over them, for which it knows halfspace; modelling registers what solves, opens fem at run time, and
 chooses among models (of which modelling/choice knows results only); tables fills tables of creep forces and keeps them
 in files; app knows all; of the bindings, interface, which others build on, hands modelling on, and python
-stands on interface; capi, the C interface, knows the pair of track and files of tables; deal.II is seen in fem and
+stands on interface; capi, the C interface, knows the pair of track and files of tables; contact, the library of
+CONTACT's names, fills the struct of convert and solves it by half-spaces; deal.II is seen in fem and
 in hybrid/correction, which is built into the library of fem.
 No model is told apart by its name: what differs is a property of its entry in the registry (contact/solve/model.hpp).
 The order of the rooms of a module: ROOMS.
@@ -50,6 +51,7 @@ ALLOWED = {
     "bindings/python": {**SOLVER, "result": ANY, "bindings": {"interface"}, "halfspace": {"closed_forms", "stress"},
                         "profiles": ANY, "track": ANY, "modelling": ANY, "tables": ANY},
     "bindings/capi": {**SOLVER, "track": {"pair"}, "tables": {"files"}},
+    "bindings/contact": {**SOLVER, "halfspace": ANY, "theories": {""}, "profiles": ANY, "track": ANY, "convert": ANY},
 }
 # Rooms of a module, each of which may include those before it.
 ROOMS = {

@@ -8,7 +8,7 @@ import ast
 ORDER = ("errors", "files", "frames", "stresses", "shakedown", "heat", "node", "point", "plot", "result", "outputs", "reader", "tables",
          "figures", "_core", "commands", "case", "solving", "sweeping", "track", "wear", "api", "__main__")
 FIGURES = ("labels", "styles", "figure", "published", "page", "load_points", "maps", "tables", "stresses", "curves", "temperatures", "profiles",
-           "yielding", "positions", "report", "table", "study", "compare")
+           "yielding", "positions", "answer", "report", "table", "study", "compare")
 COMMANDS = ("refinement", "levels", "comparing", "benching", "subsurface", "line")
 
 

@@ -149,19 +149,29 @@ void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& whee
 
 }  // namespace
 
-SearchScene search_scene_of(const Case& input) {
+ProfilePair profiles_of(const Case& input) {
   ProfilePair pair;
   pair.wheel_sections = profiles::make_sections(input.wheel.profile, true, input.file);
   pair.rail_sections = profiles::make_sections(input.rail.profile, false, input.file);
-  // A body that changes along its way has the section of the first position.
-  const auto profile = [&](const auto& sections, const std::vector<double>& places, bool wheel) {
-    return sections && !places.empty() ? sections->section(places.front())
-                                       : profiles::profile_of_case(input, wheel);
+  const bool turns = pair.wheel_sections && !input.wheelset.wheel_angle.empty();
+  const bool moves = pair.rail_sections && !input.wheelset.track_position.empty();
+  if (!turns) pair.wheel = profiles::profile_of_case(input, true);
+  if (!moves) pair.rail = profiles::profile_of_case(input, false);
+  take_first_sections(input, pair);
+  return pair;
+}
+
+void take_first_sections(const Case& input, ProfilePair& pair) {
+  const auto take = [](const auto& sections, const std::vector<double>& places, auto& profile) {
+    if (sections && !places.empty()) profile = sections->section(places.front());
   };
-  pair.wheel = profile(pair.wheel_sections, input.wheelset.wheel_angle, true);
-  pair.rail = profile(pair.rail_sections, input.wheelset.track_position, false);
+  take(pair.wheel_sections, input.wheelset.wheel_angle, pair.wheel);
+  take(pair.rail_sections, input.wheelset.track_position, pair.rail);
+}
+
+SearchScene search_scene_of(const Case& input) {
   return contact::at_place({file_of(input)},
-                           [&] { return make_search_scene(input, std::move(pair)); });
+                           [&] { return make_search_scene(input, profiles_of(input)); });
 }
 
 Case case_at(const Case& input, std::size_t k) {

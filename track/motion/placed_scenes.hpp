@@ -17,6 +17,11 @@ struct PlacedScene {
   WheelRailContact contact;
 };
 
+/// The case's profiles.
+ProfilePair profiles_of(const contact::Case& input);
+/// A body that changes along its way has the section of the first position.
+void take_first_sections(const contact::Case& input, ProfilePair& pair);
+
 /// Input of the contact search, with the case's profiles. Reads and smooths the profile files, so
 /// create it once and pass it on.
 SearchScene search_scene_of(const contact::Case& input);

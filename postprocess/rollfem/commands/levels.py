@@ -2,6 +2,7 @@
 """Plans and solves the levels of a refinement study (`rollfem.study`, `rollfem study`)."""
 import difflib
 import json
+import math
 import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import asdict, dataclass, field
@@ -10,9 +11,9 @@ from typing import Any
 
 from .. import _core, outputs
 from ..errors import InputError, SolveError
-from ..point import Point
+from ..point import QUANTITIES, Point
 from ..result import models_of, place_label
-from .refinement import RULES, Level, Place, Record, Series, study_csv, study_json, table
+from .refinement import RULES, Level, Place, Record, Series, is_stress, study_csv, study_json, table
 
 
 @cache
@@ -42,6 +43,7 @@ class Wishes:
     vary: Collection[str] = ()
     together: bool = False  #: refine all of `vary` at once, not one at a time
     levels: int = 0  #: 0: as the model has it
+    quantities: Collection[str] = ()  #: followed in addition, at the headline of a level
     references: Collection[str] = ()  #: exact, finest, extrapolated, QUANTITY=VALUE, with several patches PLACE.QUANTITY=VALUE
 
     @property
@@ -67,6 +69,12 @@ class Wishes:
                                  f"{_that_vary(word)[-1]}, or vary something else")
             if word == "domain":
                 _check_domain(case)
+        for name in self.quantities:
+            if name not in QUANTITIES and not is_stress(name):
+                near = difflib.get_close_matches(name, QUANTITIES, 1)
+                raise InputError(f"--quantity {name}: is no scalar of a load point; {f'did you mean {near[0]}? ' if near else ''}"
+                                 "allowed: those of docs/results.md, and max_MEASURE_BODY such as max_von_mises_rail with "
+                                 "output.stress_maxima; do: name one of them")
         if self.levels and not 2 <= self.levels <= 8:
             raise InputError(f"--levels {self.levels}: allowed: 2 to 8; do: correct it")
 
@@ -139,13 +147,21 @@ def _give(word: str, places: Sequence[Place]) -> None:
         _refuse(word, "the value is not a number", places)
 
 
+FEWEST_CELLS = 4  # across the patch, of the first level of finite elements: coarser ones say nothing about its limit
 #: Of the last pass over bodies that yield.
 OF_PASSES = ("plastic_increment", "net_plastic_increment", "residual_stress", "groove_depth", "forward_flow", "plastic_work")
 
 
-def _numbers(result: "_core.Result | None", axes: tuple[str, str]) -> Iterator[tuple[str, Point, str]]:
-    """(key of the study, load point, quantity) of what the model gives."""
+def _numbers(result: "_core.Result | None", axes: tuple[str, str], more: Collection[str] = ()) -> Iterator[tuple[str, Point, str]]:
+    """(key of the study, load point, quantity) of what the model gives, with `more` quantities."""
     points = models_of(result)[0].points if result else []
+    if head := models_of(result)[0].headline if result else None:
+        largest = {f"max_{row['measure']}_{row['body']}": float(row["value"]) for row in head.stress_maxima}
+        head.scalars.update(largest)
+        fixed = ("max_pressure", *axes, "approach")
+        for name in dict.fromkeys([*largest, "max_temperature", *more]):
+            if name not in fixed and head.scalars.get(name):
+                yield name, head, name
     for name in ("max_pressure", *axes, "approach") if points else ():
         if points[0].scalars.get(name):
             yield name, points[0], name
@@ -159,9 +175,13 @@ def _numbers(result: "_core.Result | None", axes: tuple[str, str]) -> Iterator[t
             yield f"{name}:{len(points)}", points[-1], name
 
 
-def _solved(level: Level, result: _core.Result, seconds: float, axes: tuple[str, str]) -> None:
+def _solved(level: Level, result: _core.Result, seconds: float, axes: tuple[str, str], more: Collection[str]) -> None:
     """Enters a result into its level."""
-    model, numbers = models_of(result)[0], list(_numbers(result, axes))
+    model, numbers = models_of(result)[0], list(_numbers(result, axes, more))
+    if lacking := {name for name in more if is_stress(name)} - {key for key, *_ in numbers}:
+        there = [key for key, *_ in numbers if is_stress(key)]
+        raise InputError(f"--quantity {lacking.pop()}: is not there; allowed here: {', '.join(there) or 'none'}; do: set output.stress_maxima, "
+                         "or correct it")
     level.unknowns, level.contact_elements, level.seconds = model.unknowns, model.contact_elements, seconds
     level.values = {key: point.scalars[name] for key, point, name in numbers}
     level.bars = {key: point.error_estimate[name] for key, point, name in numbers if name in point.error_estimate}
@@ -258,6 +278,8 @@ class Study:
                     setattr(series, said, f"{list_of}{'; ' * bool(list_of)}{level.label}: {why}")
                 if series.levels and work.whole:
                     return series
+        if plan.ways == ["cell"] and len(series.levels) == len(refined):
+            _drop_coarse(series, place)
         if not series.levels and series.left_out:
             series.failure, series.left_out = "; ".join(filter(None, (series.failure, series.left_out))), ""
         return series
@@ -277,7 +299,7 @@ class Study:
             if result is None:
                 failed[missing[number]] = outcome, too_coarse
                 return
-            _solved(level, result, outcome, _axes(place))
+            _solved(level, result, outcome, _axes(place), self.wishes.quantities)
             work.keep(name, json.dumps(asdict(level)))
             work.drop(f"{name}-of-")
             self._say(place, f"{series.model} {level.label}: {level.seconds:.2g} s")
@@ -300,6 +322,15 @@ class Study:
             return False
         self._say(place, f"{series.model} {level.label}: resumed")
         return True
+
+
+def _drop_coarse(series: Series, place: Place) -> None:
+    """Drops the first levels of finite elements with few cells across the patch, whose size the finest level knows."""
+    size = min(series.levels[-1].values.get(name, math.inf) * (2 if name.startswith("semi") else 1) for name in _axes(place))
+    while len(series.levels) > 1 and size < FEWEST_CELLS * series.levels[0].parameter:
+        level = series.levels.pop(0)
+        series.left_out += (f"{'; ' * bool(series.left_out)}{level.label}: only {size / level.parameter:.2g} cells across the patch; "
+                            "do: give a smaller fem.cell_size")
 
 
 def _record_name(place: Place, series: Series, level: Level) -> str:

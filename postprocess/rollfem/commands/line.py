@@ -97,9 +97,10 @@ def _finish(given: Given, made: Files, folder: str, title: str, notes: list[str]
 
 def study(given: Given) -> bool:
     """`rollfem study`; whether all is drawn that was wanted."""
-    words = _settled(given, "study", "model", "vary", "reference")
+    words = _settled(given, "study", "model", "vary", "quantity", "reference")
     file = words["case"][0]
-    wishes = Wishes(words["model"], words["vary"], "together" in given, int(given.get("levels", ["0"])[0]), words["reference"])
+    wishes = Wishes(words["model"], words["vary"], "together" in given, int(given.get("levels", ["0"])[0]), words["quantity"],
+                    words["reference"])
     folder = given.get("output", [os.path.join("results", f"{_stem(file)}_study")])[0]
     asked, drawn = _asked(given), True
 

@@ -4,6 +4,7 @@ files and the text of `rollfem study` (docs/commands.md). Convergence of a seque
 observed order, Richardson's limit and the reliability of both. P. J. Roache, Verification and Validation in Computational
 Science and Engineering (1998); L. Eca, M. Hoekstra, J. Comput. Phys. 262 (2014), for sequences without an order."""
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -11,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..files import cell, quoted, sealed_json
-from ..point import QUANTITIES
+from ..point import QUANTITIES, Quantity
 
 
 # Range of plausible orders; outside it changes fall too slowly or vanish by coincidence.
@@ -239,6 +240,19 @@ class Place:
         return max(self.series, key=rank)
 
 
+def is_stress(name: str) -> bool:
+    """Whether it is the largest stress of a body, as "max_von_mises_rail"."""
+    return name not in QUANTITIES and re.fullmatch(r"max_\w+_(wheel|rail)", name) is not None
+
+
+def described(name: str) -> Quantity:
+    """What a quantity is."""
+    if not is_stress(name):
+        return QUANTITIES[name]
+    measure, _, body = name[4:].rpartition("_")
+    return Quantity(f"largest {measure.replace('_', ' ')} stress in the {body}", "", "MPa", percent_of="value")
+
+
 def is_coefficient(key: str) -> bool:
     """Whether the key is a traction coefficient, whose errors are relative to the coefficient of friction."""
     return key.startswith("traction_coefficient")
@@ -364,7 +378,7 @@ def verdict(record: Record) -> str:
 def _name_of(place: Place, key: str) -> str:
     name, _, point = key.partition(":")
     if not point:
-        return QUANTITIES[name].title
+        return described(name).title
     if not is_coefficient(key):
         return f"{QUANTITIES[name].title} {'found at' if name.endswith('creepage') else 'of'} load point {point}"
     creepage = place.creepages[int(point) - 1]
@@ -387,7 +401,7 @@ def _limit_line(limit: Limit | None) -> str:
 
 
 def _key_table(record: Record, place: Place, series: Series, key: str, reference: Reference) -> str:
-    unit = QUANTITIES[key.partition(":")[0]].unit
+    unit = described(key.partition(":")[0]).unit
     unit = f" {unit}" if unit != "-" else ""
     # Labels of quantities refined together are long.
     width = max(len(text) for text in (series.parameter, *(level.label for level in series.levels)))
@@ -455,7 +469,9 @@ def _place_data(record: Record, place: Place) -> dict[str, Any]:
 
 def study_json(record: Record) -> str:
     """study.json."""
-    quantities = {name: {"title": q.title, "symbol": q.symbol, "unit": q.unit} for name, q in QUANTITIES.items()}
+    used = {key.partition(":")[0] for _, series in record.each_series() for key in series.keys()}
+    quantities = {name: {"title": q.title, "symbol": q.symbol, "unit": q.unit}
+                  for name, q in ((name, described(name)) for name in (*QUANTITIES, *sorted(used - set(QUANTITIES))))}
     return sealed_json({
         "format": 4, "kind": "study", **record.head, "title": record.title, "case_file": record.case_file,
         "case_text": record.case_text, "friction_coefficient": record.friction, "notes": record.notes,

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..reader import read_result
 from ..result import registered
-from . import report, styles, tables
+from . import answer, report, styles, tables
 from .figure import Figure
 from .page import draw, hint, made_by, section, under
 
@@ -134,7 +134,7 @@ def _case_section(comparison, case):
     figures = draw(result, result.folder)
     inner = (report.touching(result, figures) + report.patches(result, figures, f"of-{case['name']}-")
              + section("Cost", tables.cost_table(result)) + report.notes(result))
-    return "".join([heading, report.warned(result), report.asked(result), _missing(case), report.lower(inner),
+    return "".join([heading, report.warned(result), answer.asked(result), _missing(case), report.lower(inner),
                     f"<p class=screen><a href=\"{escape(case['name'])}/report.html\">"
                     "full report of this case</a></p>"])
 

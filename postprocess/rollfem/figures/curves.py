@@ -2,9 +2,12 @@
 """Curves: traction coefficient against creepage, tractions along the centre lines, forces of strips."""
 import itertools
 import math
+import os
 
 import numpy as np
 
+from ..errors import FileError
+from ..files import read_rows
 from . import load_points, styles, tables
 from .figure import Figure
 from .maps import ALONG, extent, loaded_runs
@@ -19,6 +22,31 @@ def _draw_published(panel, result, models):
         panel.spots([(100 * xi, value) for xi, value in zip(row["xi"], row["traction_coefficient"])
                      if min(own) - room <= xi <= max(own) + room],
                     marker="s^*"[number % 3], size=5.5, hollow="open", order=4, name=row["name"])
+
+
+def read_overlay(path):
+    """(name, [n, 2 or 3]: creepage, traction coefficient, bar) of a measured creep curve in a CSV table; FileError if it is none."""
+    try:
+        title, rows, units = read_rows(path)
+        columns = list(rows[0]) if rows else []
+        values = np.array([[float(row[name]) for name in columns[:3]] for row in rows])
+    except (OSError, TypeError, ValueError, UnicodeDecodeError) as error:
+        raise FileError(f"{path}: is no table of numbers: {error}; do: {OVERLAY}") from error
+    if len(columns) < 2 or not np.isfinite(values).all():
+        raise FileError(f"{path}: has no creepage and traction coefficient in each row; do: {OVERLAY}")
+    values[:, 0] *= 0.01 if units[columns[0]] == "%" else 1.0
+    return title or os.path.basename(path), values
+
+
+OVERLAY = 'give two or three columns with a heading such as "creepage [%],traction coefficient,bar"'
+
+
+def _draw_overlays(panel, result):
+    for number, (name, values) in enumerate(result.overlays):
+        panel.spots([(100 * at, value) for at, value, *_ in values], marker="Dv<>"[number % 4], size=3.6, hollow="open", order=5,
+                    name=name)
+        if values.shape[1] > 2:
+            panel.bars(100 * values[:, 0], values[:, 1], values[:, 2], "ink")
 
 
 def _error(point, force):
@@ -44,10 +72,13 @@ def creep_curve(result):
     figure = Figure(2)
     top = figure.add(400, 270, load_points.key_texts(load_points.all_keys(models))[1], axis_label,
                      f"traction coefficient {ratio} [-]")
-    top.y.see([0.0, friction])
+    largest = max((abs(load_points.coefficient(p, force)) for m in models for p in m.points if p["normal_force"]), default=0.0)
+    full = not by_step or largest > 0.6 * friction  # a history far below full slip fills the field
+    top.y.see([0.0, friction] if full else [0.0])
     top.y.margin, top.y.least = 0.08, 0.02 * friction
-    top.level(friction)
-    if law is None:
+    if full:
+        top.level(friction)
+    if law is None and full:
         top.text(0.01, friction, f"full slip: $\\mu$ = {friction:.3g}", shift=(0, -4), share=(True, False))
     beside = None
     if len(models) > 1 and reference in models and not found:
@@ -69,6 +100,8 @@ def creep_curve(result):
                           if (r := reference.at(p.key))], True, **look)
     if force == "longitudinal_force":
         _draw_published(top, result, models)
+    if factor == 100:
+        _draw_overlays(top, result)
     if law is not None:
         _draw_fall(figure, result, models)
     return figure
@@ -239,10 +272,11 @@ def _panels(result, title, labels, half, curve, thin):
     chosen = load_points.chosen_keys(models, 5)
     texts, shared = load_points.key_texts(chosen)
     figure = Figure(3)
-    first = figure.add(230, 165, title, labels[0], labels[1])
+    first = figure.add(230, 165, title + ", last pass" * bool(load_points.last_pass(models)), labels[0], labels[1])
     first.y.limits = (0.0, None)
     for model in models:
-        found = curve(model, model.points[0], "pressure")
+        last = load_points.last_pass([model])
+        found = curve(model, model.at(last) if last else model.points[0], "pressure")
         if found is not None:
             first.line(*found, order=3 if "frictionless" in model.traits else 2, **styles.line(model))
     low, high = _span(models, chosen, curve, {"traction_bound": 1, "traction_x": -1})

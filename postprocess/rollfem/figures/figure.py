@@ -4,6 +4,7 @@ decides on light or dark ground; side by side under one legend, as a file (SVG) 
 available width."""
 import functools
 import math
+import re
 from html import escape
 
 import numpy as np
@@ -64,6 +65,19 @@ def span_text(values):
     return " to ".join(dict.fromkeys("0" if abs(v) < 1e-9 * (high - low) else f"{v:.3g}" for v in (low, high)))
 
 
+def broken(text, room):
+    """The label in rows that fit into a width in px, broken at spaces outside symbols."""
+    rows = []
+    for given in text.split("\n"):
+        rows.append("")
+        for word in re.split(r" (?=[^$]*(?:\$[^$]*\$[^$]*)*$)", given):
+            if rows[-1] and labels.width(f"{rows[-1]} {word}") > room:
+                rows.append(word)
+            else:
+                rows[-1] += " " * bool(rows[-1]) + word
+    return rows
+
+
 class Axis:
     """`limits`: (low, high); None: from the content with a margin, at least `least` apart. `ticks`: [(value, text)]
     instead of even ones."""
@@ -87,10 +101,10 @@ class Axis:
             return 10 ** math.floor(math.log10(low) + 1e-9), 10 ** max(
                 math.ceil(math.log10(high) - 1e-9), math.floor(math.log10(low) + 1e-9) + 1)
         low, high = widened(low, high, self.least)
-        room = self.margin * (high - low)
-        low, high = low - room, high + room
         given = self.limits
-        low, high = (low if given[0] is None else given[0]), (high if given[1] is None else given[1])
+        span = (high if given[1] is None else given[1]) - (low if given[0] is None else given[0])
+        room = self.margin * max(span, high - low)  # of the whole axis: markers at its ends are not cut
+        low, high = (low - room if given[0] is None else given[0]), (high + room if given[1] is None else given[1])
         return (low, high) if high > low else (low, low + (abs(low) or 1.0))
 
     def words(self):
@@ -202,7 +216,7 @@ class Panel:
     def __init__(self, width, height, title="", xlabel="", ylabel="", equal=False, bare=False):
         self.width, self.height, self.title = width, height, title
         self.x, self.y = Axis(xlabel, margin=0.03), Axis(ylabel)
-        self.equal, self.bare, self.room_left = equal, bare, 54
+        self.equal, self.bare, self.room_left, self.head = equal, bare, 54, 0  # head: least rows above the field
         self.entry = lambda *look: None  # entries of the figure's legend
         self._marks, self._curves = [], {}
 
@@ -299,6 +313,14 @@ class Panel:
             (left, right), (low, high) = self.x.range(), self.y.range()
             self.height = self.width * (high - low) / (right - left)
 
+    def _title(self):
+        """The rows of the title."""
+        return broken(self.title, max(self.width + 60, 120)) if self.title else []
+
+    def _across(self):
+        """The rows of the label of x."""
+        return broken(self.x.label, self.width + 60) if self.x.label else []
+
     def _frame(self):
         """(grid and axes, words, width on the left) of the ticks."""
         across = self.x.marks(self.width, True)
@@ -313,27 +335,29 @@ class Panel:
             grid.append(f"M0 {_number(at)}H{_number(self.width)}")
             names.append(f'<text x="-6" y="{_number(at + 4)}" text-anchor="end">{text}</text>')
         left = max([labels.width(text) for _, text in up] + [0]) + 9
-        if self.x.label:
-            names.append(f'<text x="{_number(self.width / 2)}" y="{_number(self.height + 32)}" '
-                         f'text-anchor="middle">{labels.svg(self.x.label)}</text>')
-        for number, row in enumerate(reversed(self.y.label.split("\n"))):
-            if row:
-                names.append(f'<text transform="translate({_number(-left - 7 - 14 * number)} '
-                             f'{_number(self.height / 2)})rotate(-90)" text-anchor="middle">{labels.svg(row)}</text>')
-                left += 0 if number else 19
-        left += 14 * self.y.label.count("\n")
+        for number, row in enumerate(self._across()):
+            names.append(f'<text x="{_number(self.width / 2)}" y="{_number(self.height + 32 + 14 * number)}" '
+                         f'text-anchor="middle">{labels.svg(row)}</text>')
+        rows = broken(self.y.label, self.height + 50) if self.y.label else []
+        for number, row in enumerate(reversed(rows)):
+            names.append(f'<text transform="translate({_number(-left - 7 - 14 * number)} '
+                         f'{_number(self.height / 2)})rotate(-90)" text-anchor="middle">{labels.svg(row)}</text>')
+        left += (5 + 14 * len(rows)) * bool(rows)
         axes = f'<path class="s-soft n" stroke-width=".8" d="M0 0V{_number(self.height)}H{_number(self.width)}"/>'
         return f'<path class="s-grid n" stroke-width=".8" d="{"".join(grid)}"/>', axes, "".join(names), left
 
     def svg(self):
         """(width, height, content) of the panel with its words."""
         self.fit()
-        rows = self.title.split("\n") if self.title else []
-        top, bottom, left = 8 + 16 * len(rows), 4, 4
+        rows = self._title()
+        top, bottom, left = 8 + 16 * max(len(rows), self.head), 4, 4
         grid = axes = names = ""
         if not self.bare:
             grid, axes, names, left = self._frame()
-            left, bottom = max(left + 6, self.room_left), 40 if self.x.label else 22
+            left, bottom = max(left + 6, self.room_left), 26 + 14 * len(self._across()) if self.x.label else 22
+        # Words wider than the field get room on both sides.
+        beside = 0.5 * (max([1.15 * labels.width(row) for row in [*rows, *([] if self.bare else self._across())]], default=0) - self.width)
+        left, right = max(left, beside + 4), max(12, beside + 4)
         marks = sorted(self._marks, key=lambda mark: mark[:2])
         inner = "".join(draw() for _, _, text, draw in marks if not text)
         texts = "".join(draw() for _, _, text, draw in marks if text)
@@ -342,7 +366,7 @@ class Panel:
             f'text-anchor="middle">{labels.svg(row)}</text>' for k, row in enumerate(rows))
         field = (f'<svg width="{_number(self.width)}" height="{_number(self.height)}" overflow="hidden" '
                  f'viewBox="0 0 {_number(self.width * _SCALE)} {_number(self.height * _SCALE)}">{inner}</svg>')
-        return (left + self.width + 12, top + self.height + bottom,
+        return (left + self.width + right, top + self.height + bottom,
                 f'<g transform="translate({_number(left)} {_number(top)})">{grid}{field}{axes}'
                 f'<g class="f-ink">{names}</g>{texts}</g>')
 
@@ -362,7 +386,7 @@ class Figure:
 
     def entry(self, text, colour=None, dash=(), width=1.6, marker=None, hollow=False, fill=None, opacity=1):
         """Adds an entry to the legend unless the name exists: a line of this look, an area, or text only."""
-        if text and all(text != other[0] for other in self.legend):
+        if text and all((text, colour) != other[:2] for other in self.legend):
             self.legend.append((text, colour, dash, width, marker, hollow, fill, opacity))
 
     def model(self, model):
@@ -381,12 +405,15 @@ class Figure:
 
     def charts(self, size, rows):
         """Adds a panel of that size for each row of title, label of x, of y, least span of y, and curves: x, y and look
-        (Panel.line). Returns the panels."""
+        (Panel.line, and `bars`). Returns the panels."""
         for title, across, up, least, curves in rows:
             panel = self.add(*size, title, across, up)
             panel.y.least = least
             for x, y, look in curves:
-                panel.line(x, y, **look)
+                errors = np.asarray(look.get("bars", ()), dtype=float)
+                panel.line(x, y, **{name: part for name, part in look.items() if name != "bars"})
+                if errors.any():
+                    panel.bars(np.asarray(x, dtype=float), np.asarray(y, dtype=float), errors, look["colour"])
         return self.panels[-len(rows):]
 
     def _key(self, entry):
@@ -402,8 +429,14 @@ class Figure:
             text += f'<path {strokes(colour, 1.2, (), filled)} d="{marker_path(marker, [13], [6], 3)}"/>'
         return text
 
+    def _align(self):
+        """Fields of panels side by side begin at the same height."""
+        for panel in self.panels:
+            panel.head = max(len(each._title()) for each in self.panels)
+
     def html(self):
         """Legend and panels as part of a page."""
+        self._align()
         items = []
         for entry in self.legend:
             key = self._key(entry)
@@ -438,10 +471,12 @@ class Figure:
 
     def svg(self):
         """The whole figure as the text of a file."""
+        self._align()
         drawn = [panel.svg() for panel in self.panels]
         rows = [drawn[k:k + self.columns] for k in range(0, len(drawn), self.columns)]
         widths = [max(row[k][0] for row in rows if k < len(row)) for k in range(len(rows[0]))] if rows else []
-        wide = max(sum(widths), 240)
+        wide = max(sum(widths), 240, labels.width(self.heading) + 24,
+                   *((32 if self._key(entry) else 0) + labels.width(entry[0]) + 24 for entry in self.legend))
         top = 20 if self.heading else 0
         high, legend = self._legend_rows(wide)
         parts = [f'<g transform="translate(0 {top})">{legend}</g>']

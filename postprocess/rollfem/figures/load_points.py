@@ -10,7 +10,7 @@ from ..result import exact_one
 # axis label.
 PARTS = (("longitudinal_creepage", r"$\xi$", "ξ", 100, "%", r"longitudinal creepage $\xi$ [%]"),
          ("lateral_creepage", r"$\eta$", "η", 100, "%", r"lateral creepage $\eta$ [%]"),
-         ("spin", r"$\varphi$", "φ", 1, "rad/mm", r"spin $\varphi$ [rad/mm]"))
+         ("spin", r"$\varphi$", "φ", 1e3, "rad/m", r"spin $\varphi$ [rad/m]"))
 # For a history: the scalar and its axis label.
 STEPS = (("longitudinal_shift", "longitudinal shift since the start [mm]"),
          ("lateral_shift", "lateral shift since the start [mm]"),
@@ -28,7 +28,12 @@ def creepage_axis(points):
 
 def varying(keys):
     """The parts of the keys that differ between load points."""
-    return [k for k in range(3) if len({key[k] for key in keys}) > 1]
+    return [k for k in range(3) if len({0.0 if _is_nothing(key[k]) else key[k] for key in keys}) > 1]
+
+
+def _is_nothing(creepage):
+    """Whether it is the residue of a search for zero."""
+    return abs(creepage) < 1e-15
 
 
 def key_texts(creepages):
@@ -37,13 +42,13 @@ def key_texts(creepages):
     if any(len(c) == 2 for c in creepages):
         return {c: f"{c[1]} {c[0]}" if len(c) == 2 else "" for c in creepages}, ""
     # For a single point: the nonzero values.
-    told = varying(creepages) or [k for k in range(3) if any(c[k] for c in creepages)] or [0]
+    told = varying(creepages) or [k for k in range(3) if not all(_is_nothing(c[k]) for c in creepages)] or [0]
 
     def text(key, wanted):
-        return ", ".join(f"{symbol} = {factor * key[k]:.4g} {unit}"
+        return ", ".join(f"{symbol} = {0 if _is_nothing(key[k]) else factor * key[k]:.4g} {unit}"
                          for k, (_, symbol, _, factor, unit, _) in enumerate(PARTS) if wanted(k))
 
-    shared = text(creepages[0], lambda k: k not in told and creepages[0][k]) if creepages else ""
+    shared = text(creepages[0], lambda k: k not in told and not _is_nothing(creepages[0][k])) if creepages else ""
     return {c: text(c, told.__contains__) for c in creepages}, shared
 
 
@@ -136,8 +141,17 @@ def chosen_keys(models, count):
     return _evenly(loaded, count)
 
 
+def last_pass(models):
+    """The key of the last pass with stored fields over bodies that yield; None for other load points."""
+    passes = [p.key for m in models for p in m.points if p.by_number == "pass" and p.fields]
+    return max(passes, default=None)
+
+
 def typical_key(models):
-    """A load point with both adhesion and slip area, otherwise the middle one."""
+    """The last pass; otherwise a load point with both adhesion and slip area, or the middle one."""
+    if last := last_pass(models):
+        return last
+
     def imbalance(key):
         points = [p for m in models if (p := m.at(key)) and p["contact_area"] > 0]
         return min((abs(p["adhesion_area"] / p["contact_area"] - 0.5) for p in points), default=1.0)

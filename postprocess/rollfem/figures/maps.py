@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Contour lines of a field on a grid (marching squares), for sub-element edges of the patch, borders between adhesion and
-slip area, and maps of a section. Drawings over the patch: outlines of all models, adhesion and slip area of each, oblique
-views of tractions."""
+slip area, and maps of a section. Drawings over the patch: outlines of all models, adhesion and slip area of each, maps of
+pressure and traction."""
 import math
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from ..point import ADHESION, PLASTIC
 from . import load_points, styles
-from .figure import Figure, even_marks, nice_step
+from .figure import Figure, nice_step
 
 
 # Labels of the axes of the patch.
@@ -219,9 +219,9 @@ def _shade(number, levels):
     return VIRIDIS[round(number * (len(VIRIDIS) - 1) / max(1, len(levels) - 1))]
 
 
-def filled(panel, right, up, values):
-    """Overlaid areas above increasing levels. The lattice may be skew, because contours are computed over the indices
-    of its points. Returns the levels."""
+def filled(panel, right, up, values, outline=None):
+    """Overlaid areas above increasing levels, from the border of the lattice (or an outline within it). The lattice may be skew,
+    because contours are computed over the indices of its points. Returns the levels."""
     low, high = float(values.min()), float(values.max())
     step = nice_step(max(high - low, 1e-6 * max(abs(high), 1e-9)), len(VIRIDIS) - 1)
     first = math.floor(low / step + 1e-9)
@@ -231,7 +231,7 @@ def filled(panel, right, up, values):
     x, y = np.arange(-1, columns + 1.0), np.arange(-1, rows + 1.0)
     x[[0, -1]], y[[0, -1]] = (-1e-3, columns - 1 + 1e-3), (-1e-3, rows - 1 + 1e-3)
     wide = np.pad(values, 1, constant_values=low - 1e3 * (high - low or 1.0))
-    panel.area([_edge(right, up)], VIRIDIS[0])
+    panel.area(outline or [_edge(right, up)], VIRIDIS[0])
     for place, level in enumerate(levels[1:], 1):
         rings = contour_lines(x, y, wide, level)
         panel.area([np.stack([at_points(np.arange(columns), np.arange(rows), part, ring)
@@ -252,6 +252,34 @@ def colour_scale(figure, levels, step, height):
     panel.y.limits = (levels[0], levels[-1] + step)
     for place, level in enumerate(levels):
         panel.area([np.array([(0, level), (1, level), (1, level + step), (0, level + step)])], _shade(place, levels))
+
+
+def pressure(result, model):
+    """Coloured maps of the pressure of a model and, with friction, of the size of its tangential traction, with the edge of the
+    patch and the border between adhesion and slip, at a common creepage. None without fields."""
+    shown = load_points.reference_for_forces(result) if model.has_friction else None
+    key = load_points.typical_key([shown]) if shown else None
+    point = model.at(key) if key else next((p for p in model.points if "pressure" in p.fields), None)
+    found = zones(model, point) if point else None
+    if found is None or min(len(model.x), len(model.y)) < 2:
+        return None
+    half, figure = extent([model]), Figure(4, styles.label(model), in_rows=True)
+    values = {"contact pressure $p_n$ [MPa]": point.fields["pressure"]}
+    if key and {"traction_x", "traction_y"} <= set(point.fields):
+        text = load_points.key_texts([key])[0][key]
+        values[f"size of the tangential traction [MPa], {text}"] = np.hypot(point.fields["traction_x"], point.fields["traction_y"])
+    for title, field in values.items():
+        panel = patch_panel(figure, title, (ALONG["x"], ALONG["y"]), half, min(150 / half[0], 150 / half[1]), 140)
+        levels, step = filled(panel, *np.meshgrid(model.x, model.y), field, found.outline)
+        panel.paths(found.outline, "ink", 1.2)
+        panel.paths(found.borders, "ink", 3.6)
+        panel.paths(found.borders, "ground", 1.4, order=3)
+        panel.fit()
+        colour_scale(figure, levels, step, panel.height)
+    if found.borders:
+        figure.entry("double line: border between adhesion and slip")
+    said = [f"{title} up to {field.max():.4g}" for title, field in values.items()] + [adhering(point)] * model.has_friction
+    return figure.tell("Maps over the patch: ", said)
 
 
 def _zoned(result):
@@ -328,7 +356,7 @@ def outlines(result):
                             half, min(135 / half[0], 150 / half[1]), 115)
         for model in models:
             # Hertz has a single load point.
-            point = (model.at(key) if key else None) or (model.points[0] if model not in zoned else None)
+            point = (model.at(key) if key else None) or (model.headline if model not in zoned else None)
             found = zones(model, point) if point else None
             if found is None:
                 continue
@@ -342,117 +370,8 @@ def outlines(result):
         figure.entry(f"adhesion ({styles.label(shaded)})", fill="adhesion", opacity=0.35)
         figure.entry(f"slip ({styles.label(shaded)})", fill="slip", opacity=0.3)
     figure.entry(shared)
-    said = [f"{styles.label(m)} {m.points[0]['contact_length']:.3g} by {m.points[0]['contact_width']:.3g} mm"
-            for m in models]
+    said = [f"{styles.label(m)} {m.headline['contact_length']:.3g} by {m.headline['contact_width']:.3g} mm"
+            for m in models if m.headline]
     if shaded is not None:
         said += [f"{styles.label(shaded)} {adhering(point)} at {texts[k]}" for k in chosen if (point := shaded.at(k))]
     return figure.tell("Contact areas, along rolling by across: ", said)
-
-
-class _Oblique:
-    """Cavalier projection: x to the right, y to the back and up, the traction upwards."""
-
-    def __init__(self, model, values):
-        half_x, half_y = extent([model])
-        self.half_x, self.half_y = half_x, half_y
-        self.low, self.top = min(0.0, float(values.min())), max(0.0, float(values.max()))
-        if self.top - self.low < 1e-9:
-            self.top = self.low + 1e-9
-        self.skew = 0.75 * half_x / half_y  # all in units of half_x for any shape of patch
-        self.rise = 0.6 * half_x / half_y
-        self.lift = 1.5 * half_x / (self.top - self.low)
-        y = np.clip(model.y, -half_y, half_y)[:, None]
-        self.highest = max(self.rise * half_y, float((self.rise * y + self.lift * values).max()))
-
-    def __call__(self, x, y, value=0.0):
-        x, y, value = np.broadcast_arrays(x, y, value)
-        return np.stack([x + self.skew * y, self.rise * y + self.lift * value], axis=-1)
-
-
-def _strips(panel, view, model, values, state, count=24):
-    """The surface as strips y = constant, drawn from the back to the front."""
-    loaded = np.flatnonzero(np.abs(model.y) <= view.half_y)
-    rows = loaded[::-max(1, round(len(loaded) / count))]
-    columns = np.flatnonzero(np.abs(model.x) <= view.half_x)
-    columns = columns[::max(1, len(columns) // 70)]
-    for depth, j in enumerate(rows):
-        ends = view(model.x[columns], model.y[j], values[j, columns])
-        base = view(model.x[columns[[0, -1]]], model.y[j])
-        panel.area([np.concatenate([ends, base[::-1]])], "ground", order=2 + depth)
-        if state is None:
-            kinds = np.where(values[j, columns][:-1] + values[j, columns][1:] > 0, 4, 0)
-        else:
-            kinds = np.maximum(state[j, columns][:-1], state[j, columns][1:])
-        starts = np.flatnonzero(np.concatenate([[True], kinds[1:] != kinds[:-1]]))
-        for a, b in zip(starts, [*starts[1:], len(kinds)]):  # segments of equal colour form one line
-            panel.paths([ends[a:b + 1]], ("grey", "adhesion", "slip", "plastic", "ink")[int(kinds[a])],
-                        opacity=0.6 if kinds[a] == 0 else 1, order=2 + depth)
-
-
-def _frame(panel, view, unit_label):
-    """Axes of the projection: x in front, y on the right, the traction on the left."""
-    half_x, half_y, small = view.half_x, view.half_y, 0.05 * view.half_x
-    below = view.lift * view.low  # labels stand below everything under the plane
-    lines = [view(half_x * np.array([-1, 1, 1, -1, -1]), half_y * np.array([-1, -1, 1, 1, -1]))]
-
-    def axis(marks, place, away, anchor, shift):
-        for value, name in marks:
-            at = place(value)
-            lines.append(np.array([at, at + away]))
-            write(at if away[1] == 0 else at + (0, below), name, anchor, shift)
-
-    def write(at, text, anchor, shift):
-        panel.text(*at, text, anchor, "ink", shift, order=1000)
-
-    axis(even_marks(-half_x, half_x, nice_step(2 * half_x, 5)), lambda value: view(value, -half_y), (0, -small),
-         "middle", (0, 15))
-    write(view(0, -half_y) + (0, below), ALONG["x"], "middle", (0, 30))
-    axis(even_marks(-half_y, half_y, nice_step(2 * half_y, 5)), lambda value: view(half_x, value), (small, 0),
-         "start", (7, 4))
-    write(view(half_x, 0), "$y$ [mm]", "start", (32, 16))
-    x, y = view(-half_x, -half_y)
-    x -= 2 * small
-    lines.append(np.array([(x, y + below), (x, y + view.lift * view.top)]))
-    axis(even_marks(view.low, view.top, nice_step(view.top - view.low, 5)),
-         lambda value: np.array([x - small, y + view.lift * value]), (small, 0), "end", (-3, 4))
-    write((x, y + view.lift * view.top), unit_label, "middle", (0, -8))
-    panel.paths(lines, "soft", 0.9, order=1)
-    left, bottom = view(-half_x, -half_y)
-    right = view(half_x, half_y)[0]
-    panel.x.limits = (left - 9 * small, right + 10 * small)
-    panel.y.limits = (bottom - 8.5 * small + below, view.highest + 4 * small)
-
-
-def _view(figure, model, values, state, title, unit_label):
-    view = _Oblique(model, values)
-    panel = figure.add(380, 0, title, equal=True, bare=True)
-    _frame(panel, view, unit_label)
-    _strips(panel, view, model, values, state)
-
-
-def oblique(result, model):
-    """p_n and -p_x over the patch at a common creepage, strip by strip; only p_n for a model without friction. None
-    without fields."""
-    pressure = model.points[0].fields.get("pressure") if model.points else None
-    if pressure is None or not (pressure > 0).any():
-        return None
-    figure = Figure(2, styles.label(model))
-    said = [f"up to {pressure.max():.4g} MPa"]
-    if model.has_friction:
-        shown = load_points.reference_for_forces(result)
-        key = load_points.typical_key([shown]) if shown else None
-        point = model.at(key) if key else None
-        if point is None or not {"pressure", "traction_x"} <= set(point.fields):
-            return None
-        pressure, traction = point.fields["pressure"], -point.fields["traction_x"]
-    _view(figure, model, pressure, None, "contact pressure", "$p_n$ [MPa]")
-    if model.has_friction:
-        text = load_points.key_texts([key])[0][key]
-        _view(figure, model, traction, point.fields.get("state"), f"tangential traction, {text}", "$-p_x$ [MPa]")
-        figure.entry("adhesion", "adhesion", width=2)
-        figure.entry("slip", "slip", width=2)
-        if (np.asarray(point.fields.get("state")) == PLASTIC).any():
-            figure.entry("yielding layer", "plastic", width=2)
-        said.append(f"traction −p_x at {text} between {traction.min():.4g} and {traction.max():.4g} MPa; "
-                    f"it {adhering(point)}")
-    return figure.tell(f"Pressure of {styles.label(model)} over the patch, ", said)

@@ -6,6 +6,7 @@ package: `captioned` ((file name, caption, function that makes a Figure or retur
 import importlib
 import os
 import re
+from collections.abc import Sequence
 from html import escape
 from types import ModuleType
 from typing import Any
@@ -88,10 +89,16 @@ def _do_task(number):
     return _task(number)
 
 
-def build(path: str) -> None:
-    """Draws what lies at a path: the figures and the page of a folder, or NAME.svg of a table NAME.csv."""
+def build(path: str, overlays: Sequence[str] = ()) -> None:
+    """Draws what lies at a path: the figures and the page of a folder, or NAME.svg of a table NAME.csv. `overlays`: tables of
+    measured creep curves, drawn over those of a result."""
     if not path.endswith(".csv"):
-        draw(stored(path), folder_of(path))
+        thing = stored(path)
+        if overlays and thing.kind != "result":
+            raise FileError(f"{path}: measured curves are drawn over the result of rollfem run only")
+        if overlays:
+            thing.overlays = [_module("curves").read_overlay(overlay) for overlay in overlays]
+        draw(thing, folder_of(path))
         return
     columns = next(iter(read_rows(path)[1]), ())
     if not (name := next((module for column, module in TABLES if column in columns), None)):
@@ -127,6 +134,11 @@ def section(heading, *parts):
 def case_file(name, text):
     """The case file, to be opened by the reader."""
     return f"<details><summary>case file {escape(name)}</summary><pre>{escape(text)}</pre></details>"
+
+
+def folded(words, html):
+    """Rows of numbers behind a line that opens them; empty if there are none."""
+    return f"<details><summary>{words}</summary>{html}</details>" if html else ""
 
 
 def hint(text):

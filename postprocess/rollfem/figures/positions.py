@@ -15,6 +15,7 @@ from ..files import read_rows
 from ..reader import read_columns
 from . import curves, load_points, styles, tables
 from .figure import Figure
+from .page import under
 from .profiles import PATCH_COLOURS, draw_pair
 
 
@@ -48,12 +49,13 @@ BESIDE = 12.0  # mm of the profiles shown beside what wears
 
 def work(result, wheel, position):
     """The frictional work per pass over wheel and rail as they are drawn, of every model and patch at the load point with
-    the largest; None without work."""
+    the largest, or after the last pass; None without work."""
     drawn = result.profiles.get((wheel, position))
     models = curves.with_work(m for m in result.models if (m.place["wheel"], m.place["position"]) == (wheel, position))
     if not drawn or not models:
         return None
-    key = max((p for p in models[0].points if p.pass_work is not None), key=lambda p: p.pass_work.max()).key
+    key = load_points.last_pass(models) or max((p for p in models[0].points if p.pass_work is not None),
+                                               key=lambda p: p.pass_work.max()).key
     figure = Figure(1)
     shape = figure.add(560, 0, f"{wheel} wheel{at_words(result, position)}", "", "height [mm]", equal=True)
     below = figure.add(560, 170, load_points.key_texts([key])[0][key], "$y$ on the track, to the right [mm]", curves.WORK)
@@ -85,15 +87,15 @@ FORCES = ("$F_x$ on the wheel", "$Y$ on the wheel, to the right")  # summed over
 
 def _at(name, factor=1.0):
     """A scalar of a model's first load point or of its place, scaled by a factor."""
-    return lambda model: factor * (model.place[name] if name in model.place else model.points[0][name])
+    return lambda model: factor * (model.place[name] if name in model.place else model.headline[name])
 
 
 # Panels of the sweep: title, unit, least span of the scale, value of a model.
-PANELS = (("contact point on the rail", "$y$ of its profile [mm]", 2.0, _at("y_rail")),
+PANELS = ((PRESSURE, "[MPa]", 50.0, _at("max_pressure")),
+          ("contact point on the rail", "$y$ of its profile [mm]", 2.0, _at("y_rail")),
           ("contact point on the wheel", "$y$ of its profile [mm]", 2.0, _at("y_wheel")),
           ("contact angle", "[°]", 0.5, _at("contact_angle", 180 / math.pi)),
           ("normal force", "[kN]", 1.0, _at("normal_force", 1e-3)),
-          (PRESSURE, "[MPa]", 50.0, _at("max_pressure")),
           ("contact area", "[mm²]", 5.0, _at("contact_area")),
           ("length of the patch, along rolling", "[mm]", 1.0, _at("contact_length")),
           ("width of the patch", "[mm]", 1.0, _at("contact_width")),
@@ -154,34 +156,47 @@ def reference_of_row(result):
     return max(names, key=names.count)
 
 
+def _pressure_bars(models):
+    return [m.headline.bar("max_pressure") or 0.0 for m in models]
+
+
 def _by_patch(title, value, here, at, look):
     """Curves of one model and wheel (x, y, look): the sum over its patches for a force, otherwise the most loaded patch,
     joined by a line, then the others."""
     if title in FORCES and not any(m.has_friction for m in here):
         return
-    spots = [(at[m.place["position"]], value(m), m.place["patch"] == 1) for m in here]
-    rows = [(sorted((w, v) for w, v, first in spots if first == joined), joined) for joined in (True, False)]
+    spots = [(at[m.place["position"]], value(m), m.place["patch"] == 1, m) for m in here]
+    rows = [(sorted((w, v, k) for k, (w, v, first, _) in enumerate(spots) if first == joined), joined) for joined in (True, False)]
     if title in FORCES:
-        rows = [(sorted((where, sum(v for w, v, _ in spots if w == where)) for where in {w for w, *_ in spots}), True)]
-    yield from ((*zip(*row), {**look, "joined": joined}) for row, joined in rows if row)
+        rows = [(sorted((where, sum(v for w, v, *_ in spots if w == where), 0) for where in {w for w, *_ in spots}), True)]
+    for row, joined in rows:
+        if row:
+            x, y, numbers = zip(*row)
+            bars = {"bars": _pressure_bars([spots[k][3] for k in numbers])} if title == PRESSURE else {}
+            yield x, y, {**look, "joined": joined, **bars}
 
 
 # Panels of positions that follow each other, as PANELS.
 SLIP = "share of slip"
 PANELS_OF_HISTORY = (*PANELS[8:10], (
     SLIP, "of the contact area [%]", 5.0,
-    lambda model: 100.0 * (1.0 - model.points[0]["adhesion_area"] / model.points[0]["contact_area"])))
+    lambda model: 100.0 * (1.0 - model.headline["adhesion_area"] / model.headline["contact_area"])))
+
+def _height(model):
+    """mm, down, of the wheel under its load."""
+    return model.headline.scalars.get("loaded_height", model.place["height"])
+
 
 # Panels of a sweep along the way, as PANELS.
 HEIGHT, LOAD = "height of the wheel", "vertical force"
 PANELS_ALONG = (
-    (HEIGHT, "up [mm]", 0.2, lambda model: -model.place["height"]),
-    (LOAD, "[kN]", 1.0, _at("vertical_force", 1e-3)),
-    *(panel for title in ("normal force", PRESSURE) for panel in PANELS if panel[0] == title), *PANELS[:2],
+    PANELS[0], PANELS[4],
+    (HEIGHT, "under load, up [mm]", 0.2, lambda model: -_height(model)),
+    (LOAD, "[kN]", 1.0, _at("vertical_force", 1e-3)), *PANELS[1:3],
     ("place along the track", "ahead of the axle [mm]", 2.0, _at("x_track")),
     ("slope of the contact plane along the track", "up ahead [mrad]", 1.0, _at("climb", 1e3)),
-    PANELS[2], *(panel for panel in PANELS if panel[0] in ("contact area", *FORCES)))
-FARTHEST = 10.0  # mm, on the rail, between the places of one contact at neighbouring positions
+    PANELS[3], *(panel for panel in PANELS if panel[0] in ("contact area", *FORCES)))
+FARTHEST = 10.0  # mm, across the rail, between the places of one contact at neighbouring positions
 
 
 def followed(models):
@@ -192,10 +207,11 @@ def followed(models):
         open_ends = [contact for contact in contacts if contact[-1].place["position"] == before]
         new = [m for m in models if m.place["position"] == here]
         steps = sorted((math.hypot(*(contact[-1].place[axis] - model.place[axis] for axis in ("y_rail", "x_track"))), a, b)
-                       for a, contact in enumerate(open_ends) for b, model in enumerate(new))
+                       for a, contact in enumerate(open_ends) for b, model in enumerate(new)
+                       if abs(contact[-1].place["y_rail"] - model.place["y_rail"]) < FARTHEST)  # at a flat x jumps
         met, taken = set(), set()
-        for distance, a, b in steps:
-            if distance < FARTHEST and a not in met and b not in taken:
+        for _, a, b in steps:
+            if a not in met and b not in taken:
                 open_ends[a].append(new[b])
                 met.add(a), taken.add(b)
         contacts += [[model] for b, model in enumerate(new) if b not in taken]
@@ -214,6 +230,8 @@ def _by_contact(title, value, here, at, look):
         return
     for number, contact in enumerate(followed(here)):
         y = [m.place["y_rail"] for m in contact]
+        if title == PRESSURE:
+            look = {**look, "bars": _pressure_bars(contact)}
         span = f"contact at y = {' to '.join(dict.fromkeys(f'{end:.0f}' for end in (min(y), max(y))))} mm on the rail"
         yield ([at[m.place["position"]] for m in contact], [value(m) for m in contact],
                {**look, "colour": PATCH_COLOURS[number % len(PATCH_COLOURS)], "name": ", ".join([*words, span])})
@@ -225,7 +243,7 @@ def sweep(result):
     if len(positions(result)) < 3:
         return None
     over, reference = along(result), reference_of_row(result)
-    models = [m for m in result.models if m.points]
+    models = [m for m in result.models if m.headline]
     names, sides = list(dict.fromkeys(m.name for m in models)), {m.place["wheel"] for m in models}
 
     def look(name, wheel, dash, hollow):
@@ -255,6 +273,51 @@ def sweep(result):
     return figure
 
 
+def plan(result):
+    """The patches of all positions on the rail from above, for a way along the track; None otherwise."""
+    over = along(result)
+    if not over.is_way or over.unit != "mm" or len(over.at) < 3:
+        return None
+    reference, figure = reference_of_row(result), Figure(1)
+    models = [m for m in result.models if m.name == reference and m.headline]
+    panel = figure.add(560, 0, "patches on the rail, from above", over.label, "$y$ of the rail's profile [mm]", equal=True)
+    turn, corners = np.linspace(0, 2 * np.pi, 41), []
+    for wheel, *_ in WHEELS:
+        for number, contact in enumerate(followed([m for m in models if m.place["wheel"] == wheel])):
+            rings = [np.stack([over.at[m.place["position"]] + m.place["x_track"] + 0.5 * m.headline["contact_length"] * np.cos(turn),
+                               m.place["y_rail"] + 0.5 * m.headline["contact_width"] * np.sin(turn)], axis=1) for m in contact]
+            colour = PATCH_COLOURS[number % len(PATCH_COLOURS)]
+            panel.area(rings[::1], colour, 0.25)
+            panel.paths(rings, colour, 1.2)
+            corners += rings
+    low, high = np.min(corners, axis=(0, 1)), np.max(corners, axis=(0, 1))
+    panel.x.limits, panel.y.limits = (low[0] - 3, high[0] + 3), (low[1] - 3, high[1] + 3)
+    return figure.tell("Patches on the rail from above: ", [f"{over.label} {low[0]:.4g} to {high[0]:.4g}, y {low[1]:.4g} to {high[1]:.4g} mm"])
+
+
+def dip(result):
+    """(lowest height under load in mm, where, dip angle in mrad) of each wheel over a way along the track: the steepest fall of
+    the wheel before its lowest place and the steepest rise after it, together. Empty where it is lowest at an end."""
+    over, found = along(result), {}
+    for wheel, *_ in WHEELS if over.what.startswith("position along") else ():
+        heights = {over.at[m.place["position"]]: _height(m) for m in result.models
+                   if m.name == reference_of_row(result) and m.headline and m.place["wheel"] == wheel}
+        at, down = (np.array(part) for part in zip(*sorted(heights.items()))) if heights else (np.zeros(0), np.zeros(0))
+        lowest = int(down.argmax()) if len(down) else 0
+        if 0 < lowest < len(down) - 1:
+            slopes = np.diff(down) / np.diff(at)
+            found[wheel] = float(down[lowest]), float(at[lowest]), 1e3 * float(max(slopes[:lowest]) - min(slopes[lowest:]))
+    return found
+
+
+def dip_rows(result, columns):
+    """Rows of a table with so many columns of numbers."""
+    found = dip(result)
+    return [row for wheel, (low, where, angle) in found.items() for row in (
+        [f"{wheel} wheel lowest, under load [mm down]", *[""] * (columns - 1), under(tables.number(low, 3), f"at {tables.plain(where)} mm")],
+        [under("dip angle [mrad]", "steepest fall before it and rise after it, together"), *[""] * (columns - 1), tables.number(angle, 3)])]
+
+
 # Columns of the table of contacts: heading, member of the place, factor, significant digits (None: as given).
 COLUMNS = (("shift [mm]", "lateral_shift", 1, None), ("yaw [mrad]", "yaw", 1e3, None), ("roll [mrad]", "roll", 1e3, 4),
            ("y track [mm]", "y_track", 1, 7), ("y rail [mm]", "y_rail", 1, 5), ("y wheel [mm]", "y_wheel", 1, 5),
@@ -264,14 +327,15 @@ COLUMNS = (("shift [mm]", "lateral_shift", 1, None), ("yaw [mrad]", "yaw", 1e3, 
 def contact_table(result):
     """One row for every patch: its place and the results of the models."""
     names = list(dict.fromkeys(m.name for m in result.models))
-    rows = []
+    over, rows = along(result), []
+    columns = [column for column in COLUMNS if any(abs(m.place[column[1]]) > 1e-12 for m in result.models)]
     for _, scene in shown(result):
-        place, found = scene.models[0].place, {m.name: m.points[0] for m in reversed(scene.models) if m.points}
-        rows.append([place["wheel"], f"{place['position']:.0f}", f"{place['patch']:.0f}",
-                     *(tables.number(factor * place[name], digits) for _, name, factor, digits in COLUMNS),
-                     tables.barred(scene.models[0].points[0], "normal_force"),
+        place, found = scene.models[0].place, {m.name: m.headline for m in reversed(scene.models) if m.headline}
+        rows.append([place["wheel"], tables.plain(over.at[place["position"]]), f"{place['patch']:.0f}",
+                     *(tables.number(factor * place[name], digits) for _, name, factor, digits in columns),
+                     tables.barred(scene.models[0].headline, "normal_force") if scene.models[0].headline else "–",
                      *(tables.barred(found[name], "max_pressure") if name in found else "–" for name in names)])
-    return tables.table(["wheel", "position", "patch", *(head for head, *_ in COLUMNS), "F<sub>n</sub> [N]",
+    return tables.table(["wheel", over._replace(of="").label, "patch", *(head for head, *_ in columns), "F<sub>n</sub> [N]",
                          *(f"p<sub>0</sub> {styles.label(name)} [MPa]" for name in names)], rows)
 
 

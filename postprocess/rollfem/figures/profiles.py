@@ -79,7 +79,8 @@ def draw_pair(drawn, touching, title):
     y = np.linspace(max(rail[0][0], wheel[0][0], low), min(rail[0][-1], wheel[0][-1], high), 600)
     distance = np.interp(y, *rail) - np.interp(y, *wheel)
     gap.line(y, distance, "blue", 1.5)
-    gap.x.limits, gap.y.limits = (low, high), (-0.02, 0.6)
+    least = max(0.0, float(distance.min()) - 0.1)  # where contact is ahead of the axle, the bodies are apart at the axle
+    gap.x.limits, gap.y.limits = (low, high), (least - 0.02, least + 0.6)
     for k, place in enumerate(touching):
         look = {"colour": PATCH_COLOURS[k % len(PATCH_COLOURS)], "marker": "o", "size": 3.6, "order": 5}
         at, patch = place["y_track"], f"patch {place['patch']:.0f}"

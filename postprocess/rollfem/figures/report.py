@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """report.html: the problem, the patch, forces, tractions and stresses of every model."""
-import math
 import re
 from html import escape
-from types import SimpleNamespace
-
-import numpy as np
 
 from ..errors import FileError
 from ..result import count, place_label
-from . import curves, load_points, maps, positions, stresses, styles, tables, temperatures, yielding
-from .page import case_file, hint, made_by, section
+from . import answer, curves, load_points, maps, positions, stresses, styles, tables, temperatures, yielding
+from .page import case_file, folded, hint, made_by, section
 
 CONVENTIONS = section("Signs", """<p>x is the rolling direction, and material enters the patch at large x (on the right of
 the figures); y is lateral; z points into the wheel. Tractions and forces are those acting on the wheel.
@@ -52,9 +48,8 @@ def captions(result):
     for name, caption, draw in OF_PATCH:
         yield f"{name}.svg", caption, lambda draw=draw: draw(result)
     for model in result.models:
-        what = ("px", "Pressure and tangential traction") if model.has_friction else ("pn", "Pressure")
-        yield (f"oblique_{what[0]}_{model.name}.svg", f"{what[1]} over the patch: {styles.label(model)}.",
-               lambda model=model: maps.oblique(result, model))
+        yield (f"pressure_map_{model.name}.svg", f"Contact pressure over the patch and, with friction, size of the tangential traction: "
+               f"{styles.label(model)}.", lambda model=model: maps.pressure(result, model))
     for number, kind, body in stresses.lines(result):
         yield (f"stress_{number + 1}.svg", stresses.caption(kind, body),
                lambda number=number: stresses.of_request(result, number))
@@ -68,7 +63,8 @@ def place_captions(result):
         if position in (numbers[0], numbers[-1]):
             yield (f"pair_{wheel}_{position:.0f}.svg",
                    f"The {wheel} wheel on its rail{positions.at_words(result, position)}, with the contact "
-                   "points. Right: the undeformed distance around them.",
+                   "points: the middle of the loaded patch, which need not be where the bodies touch first. Right: the undeformed "
+                   "distance around them.",
                    lambda wheel=wheel, position=position: positions.pair(result, wheel, position))
             yield (f"work_{wheel}_{position:.0f}.svg",
                    f"Where the {wheel} wheel and its rail wear{positions.at_words(result, position)}: frictional work per "
@@ -79,11 +75,13 @@ def place_captions(result):
            "wheelset (UIC 519, EN 15302) and by harmonic linearisation, and the wavelength.",
            lambda: positions.wheelset(result))
     yield ("positions.svg", "Over the positions: " + (
-        "load or height of the wheel, and normal force, largest pressure and place of each contact, followed from position to "
-        "position (one colour each), at the first load point. Where one line falls and another rises, the load moves from one "
-        "contact to the other." if positions.along(result).is_way else "contact points of wheel and rail, and the results at the "
-        "first load point. Lines: the most loaded patch; single points: further patches; forces: sum over the patches of a "
+        "largest pressure with its error bars and normal force of each contact, followed from position to position (one colour "
+        "each), height of the wheel, and places. Where one line falls and another rises, the load moves from one contact to the "
+        "other." if positions.along(result).is_way else "largest pressure with its error bars, contact points of wheel and rail, "
+        "and the other results. Lines: the most loaded patch; single points: further patches; forces: sum over the patches of a "
         "wheel.") + " Filled: left wheel, open: right wheel.", lambda: positions.sweep(result))
+    yield ("positions_plan.svg", "The patches of all positions on the rail, seen from above, as ellipses of their length and "
+           "width; a colour for each contact, as in the figure before.", lambda: positions.plan(result))
 
 
 # With more patches than this, each gets only the most informative figures.
@@ -94,7 +92,7 @@ def _telling(scene):
     """Prefixes of the figures drawn for every patch of a long sweep."""
     reference = load_points.reference_for_forces(scene) or load_points.reference_for_patch(scene)
     return ("creep_", "path_x", "path_y", "outlines", "stress_", "yielded_",
-            *(f"oblique_{what}_{reference.name}.svg" for what in ("px", "pn")))
+f"pressure_map_{reference.name}.svg")
 
 
 def captioned(result):
@@ -115,66 +113,11 @@ def captioned(result):
         yield from ((first + name, words + caption, draw) for name, caption, draw in captions(scene) if name.startswith(telling))
 
 
-# Description of bodies and load, by a key specific to such a case; the last one is the fallback.
-SHAPES = (("given_pressure.max_pressure", "Hertz's pressure of {given_pressure.max_pressure} MPa given on an ellipse of "
-           "semi-axes {given_pressure.semi_axis_x} by {given_pressure.semi_axis_y} mm"),
-          ("undeformed_distance.quadratic", "Undeformed distance A x² + B y² with A = {undeformed_distance.quadratic[0]}, "
-           "B = {undeformed_distance.quadratic[1]} 1/mm"),
-          ("undeformed_distance.file", "Undeformed distance from {undeformed_distance.file}"),
-          ("wheel.profile", "Wheel profile {wheel.profile}, nominal radius {wheel.rolling_radius} mm, on rail profile "
-           "{rail.profile}"),
-          ("wheel.transverse_radius", "Wheel of rolling radius {wheel.rolling_radius} mm (transverse "
-           "{wheel.transverse_radius}) on a rail of transverse radius {rail.transverse_radius}"))
-LOADS = (("given_pressure.max_pressure", ""), ("load.vertical_force", "; {load.vertical_force} N vertically on each wheel"),
-         ("load.normal_force", "; F<sub>z</sub> = {load.normal_force} N"), ("load.approach", "; approach {load.approach} mm"),
-         ("load.max_pressure", "; largest pressure {load.max_pressure} MPa by Hertz"),
-         ("wheel.profile", "; the height of the wheel is given, its load is a result"))
-PROBLEMS = {"shift": "Load points are steps of a shift without rolling. ", "transient": "Load points are steps of rolling. "}
-
-
-def _words(keys):
-    """The keys of a case in words, as sections with members."""
-    sections = {}
-    for path, value in keys.items():
-        section, _, name = path.rpartition(".")
-        text = "flat" if name == "transverse_radius" and math.isinf(value) else (
-            [tables.plain(number) for number in value] if isinstance(value, np.ndarray) else
-            tables.plain(value) if isinstance(value, (int, float)) else escape(str(value)))
-        if name == "transverse_radius" and text != "flat":
-            text += " mm"
-        setattr(sections.setdefault(section, SimpleNamespace()), name, text)
-    return sections
-
-
-def asked(result):
-    """The problem, from the case."""
-    case = result.inputs
-    if "wheel.profile" in case or "rail.profile" in case:
-        case = {"wheel.profile": "of a circle", "rail.profile": "of a circle", **case}
-    words = _words(case)
-    said = "".join(next(text for name, text in rows if name in case).format_map(words) for rows in (SHAPES, LOADS))
-    if math.isfinite(case["rail.rolling_radius"]):
-        kind = "roller" if case["rail.rolling_radius"] > 0 else "ring around the wheel"
-        said += f"; the rail is a {kind} of radius {words['rail'].rolling_radius} mm"
-    law = "without friction" if case["rolling.problem"] == "frictionless" else (
-        f"friction coefficient {tables.plain(result.friction_coefficient)}") + tables.law_words(result)
-    what = PROBLEMS.get(case["rolling.problem"], "")
-    if case["rolling.problem"] == "shift" and not result.friction_coefficient:
-        what = "Load points are steps of the load, without rolling. "
-    if result.prescribed_forces:
-        what += "Tangential forces are prescribed; creepages are results. "
-    return (f"<p>{said}{';' if 'given_pressure.max_pressure' in case else ','} {law}. {what}</p>"
-            + case_file(result.case_file, result.case_text))
-
-
 def _numbers(result):
     reference = load_points.reference_for_patch(result)
     if reference is None:
         return "<p>No model was run.</p>"
-    failed = [f"{styles.label(m)} at ξ = {tables.plain(100 * p['longitudinal_creepage'])} %"
-              for m in result.models for p in m.points if not p["converged"]]
-    bad = f"<p class=bad>Not converged: {escape('; '.join(failed))}. These numbers cannot be trusted.</p>"
-    return bad * bool(failed) + section(
+    return section(
         "Patch and pressure", tables.patch_table(result), tables.published_table(result),
         hint(f"Small percentages: difference from {escape(styles.label(reference))}, relative to its value, or from an "
              f"exact value; bold: more than both error bars allow. {BARS}"))
@@ -231,9 +174,9 @@ def warned(result):
 
 
 def notes(result):
-    """The section on all other notes."""
+    """All other notes."""
     rows = "".join(_said(result, "remark", "<li>{}: {}</li>"))
-    return section("Notes on the models", f"<ul>{rows}</ul>") if rows else ""
+    return f"<ul>{rows}</ul>" if rows else ""
 
 
 def lower(html, levels=1):
@@ -245,8 +188,8 @@ def _patch(scene, images, heading):
     """Everything about one patch with its figures (page.Drawn)."""
     largest = stresses.maxima_table(scene)
     html = "".join([
-        _numbers(scene), images("outlines", "contact_area"), _forces(scene, images("creep_")),
-        section("Tractions in the patch", images("path", "strip_force", "oblique")),
+        _numbers(scene), images("pressure_map", "outlines", "contact_area"), _forces(scene, images("creep_")),
+        section("Tractions in the patch", images("path", "strip_force")),
         section("Work of friction", images("pass_work")),
         section("Heat of friction", images("temperature")),
         section("Steel that yields", yielding.passes_table(scene), images("yielded_")),
@@ -298,26 +241,28 @@ def _chooser(result, articles, name):
 
 
 def touching(result, figures):
-    """The section on the contacts of wheel and rail, for profiles; otherwise empty."""
+    """The section on the contacts of wheel and rail, for profiles, its rows of numbers folded; otherwise empty."""
     if not (result.models and result.models[0].place):
         return ""
     row = positions.wheelset_table(result)
     over = "The wheels along the way" if positions.along(result).is_way else "Wheelset over lateral shift"
-    return section(over, row, figures("wheelset.svg")) * bool(row) + section(
-        "Where wheel and rail touch", positions.contact_table(result),
-        hint("Track: y to the right, contact angle positive where the plane falls towards the middle of the track; "
-             "profile coordinates: y to the field side. Forces and pressures at the first load point."), figures("pair_", "work_", "positions"))
+    said = hint("Track: y to the right, contact angle positive where the plane falls towards the middle of the track; profile "
+                "coordinates: y to the field side. Forces and pressures at the largest load, after passes of the last.")
+    return section(over, figures("positions", "wheelset.svg"), folded("numbers of every position", row)) * bool(
+        row or len(positions.positions(result)) > 2) + section(
+        "Where wheel and rail touch", figures("pair_", "work_"), folded("numbers of every contact", positions.contact_table(result) + said))
 
 
 def page(result, figures):
-    """The report of a result."""
+    """The report of a result, in the order of an engineer's questions."""
     details = "".join(f"<details><summary>all numbers of {escape(styles.label(m))}"
                       f"{', ' if m.place else ''}{escape(place_label(m.place))}</summary>"
                       f"{tables.points_table(result, m)}</details>" for m in result.models if m.points)
+    said = notes(result)
     return escape(result.title or result.case_file or "rollfem result"), made_by(result.provenance, result.provenance), [
-        warned(result), asked(result), figures("friction_law"), touching(result, figures), patches(result, figures),
-        section("Cost", tables.cost_table(result)),
-        notes(result), CONVENTIONS, f"<div class=screen><h2>Every load point</h2>{details}</div>"], (
+        answer.part(result, warned(result)), case_file(result.case_file, result.case_text), touching(result, figures),
+        patches(result, figures), figures("friction_law"), f"<div class=screen><h2>Every load point</h2>{details}</div>", CONVENTIONS,
+        section("Notes and cost", said, tables.cost_table(result))], (
         "Also in this folder: results.h5 (all fields), summary.json, creep_curve.csv, contacts.csv (with profiles), "
         "wheelset.csv (for a lateral sweep), pass_work.csv, path_x.csv, path_y.csv, subsurface.csv (if requested), fields/ (for "
         "ParaView), figures/.")

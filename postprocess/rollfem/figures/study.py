@@ -41,8 +41,9 @@ def _title(place, key):
 def _keys(place):
     """Keys of the references: patch first, then along the creep curve."""
     patch = [name for name in PATCH if name in place["references"]]
+    others = [k for k in place["references"] if ":" not in k and k not in PATCH]
     rest = [k for k in place["references"] if ":" in k]
-    return patch + sorted(rest, key=lambda k: int(k.split(":")[1]))
+    return patch + others + sorted(rest, key=lambda k: int(k.split(":")[1]))
 
 
 def typical_coefficient(place, friction):
@@ -136,7 +137,7 @@ def errors_figure(place, across, wanted, friction):
             difference = series.get("model_differences", {}).get(key, {"value": 0.0})["value"]
             if across == "seconds" and abs(difference) > SMALLEST and series["levels"][-1]["seconds"] > 0:
                 panel.spots([(series["levels"][-1]["seconds"], 100 * abs(difference))],
-                            **{**_look(place, series), "hollow": "open", "size": 5.5, "name": ""})
+                            **{**_look(place, series), "hollow": "open", "size": 5.5, **({"name": ""} if spots else {})})
                 extra[f"large, open: model difference from {styles.label(place['reference'])}"] = {}
             if across == "unknowns" and series.get("measures_others") and len(spots) >= 3:
                 # Slope of order 2 on a surface grid: the error falls as 1/unknowns.

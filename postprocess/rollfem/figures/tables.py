@@ -4,11 +4,13 @@ import math
 import re
 from html import escape
 
-from ..result import place_label
 from . import load_points, styles
 from .labels import symbol
 from .page import hint, under
 from .published import published
+
+
+NOTHING = 1e-15  # in any unit: rounding
 
 
 def number(value, digits=5):
@@ -17,7 +19,7 @@ def number(value, digits=5):
         return "–"
     if digits is None:
         return plain(value)
-    if value == 0:
+    if abs(value) < NOTHING:
         return "0"
     if isinstance(value, int) and abs(value) < 10 ** digits:
         return str(value)
@@ -31,7 +33,14 @@ def number(value, digits=5):
 
 def plain(value):
     """A number given by the user, without superfluous digits."""
-    return f"{value:.6g}".replace("-", "−")
+    return f"{0.0 if abs(value) < NOTHING else value:.6g}".replace("-", "−")
+
+
+def span(values, digits=4):
+    """"0 to 0.55", or the one value."""
+    values = list(values)
+    low, high = (number(0 if abs(v) < 1e-9 * max(map(abs, values)) else v, digits) for v in (min(values), max(values)))
+    return low if low == high else f"{low} to {high}"
 
 
 def percent(value):
@@ -117,7 +126,7 @@ def _tells(result, quantity):
     of_profiles = bool(result.models and result.models[0].place)
     if quantity.startswith(("contact_length", "contact_width", "semi_axis")):
         return quantity.startswith("contact") == of_profiles
-    values = [m.points[0][quantity] for m in result.models if m.points]
+    values = [m.headline[quantity] for m in result.models if m.headline]
     return quantity != "normal_force" or not values or max(values) - min(values) > 1e-6 * abs(values[0])
 
 
@@ -130,17 +139,20 @@ def _compared(head, models, reference, rows):
 
 
 def patch_table(result):
-    """Patch, pressure and approach of the first load point of every model."""
+    """Patch, pressure and approach of every model at its headline."""
     reference = load_points.reference_for_patch(result)
+    point = reference.headline
 
     def cell(model, quantity):
-        html = with_bar(model.points[0], quantity, 6)
+        html = with_bar(model.headline, quantity, 6)
         base = load_points.reference_for(result, quantity)
-        if model is base or not base.points:
+        if model is base or not base.headline:
             return html
-        return html + against(model.points[0], base.points[0], quantity, base.points[0][quantity])
+        return html + against(model.headline, base.headline, quantity, base.headline[quantity])
 
-    return _compared("first load point", [m for m in result.models if m.points], reference, [
+    head = "" if len(reference) < 2 else f"after the last pass ({point.number + 1})" if point and point.by_number == "pass" else (
+        "at the largest load")
+    return _compared(head, [m for m in result.models if m.headline], reference, [
         (heading(result.quantities[name]), lambda model, name=name: cell(model, name)) for name in PATCH
         if _tells(result, name)])
 
@@ -187,7 +199,7 @@ def shared_creepage(models):
     first, told = next(iter(load_points.all_keys(models)), (0,)), _told(models)
     said = [f"{symbol} = {plain(factor * first[k])} {unit_}"
             for k, (_, _, symbol, factor, unit_, _) in enumerate(load_points.PARTS)
-            if told is not None and k not in told and first[k]]
+            if told is not None and k not in told and abs(first[k]) > NOTHING]
     return f" All at {', '.join(said)}." if said else ""
 
 
@@ -267,13 +279,17 @@ def grouped(count):
 
 
 def cost_table(result):
+    """What each model took, over all patches."""
     rows = []
-    for model in result.models:
-        parts = sorted(((s, stage) for stage, s in model.seconds.items() if stage != "total"), key=lambda part: -part[0])
-        label = escape(styles.label(model))
-        rows.append([under(label, escape(place_label(model.place))) if model.place else label, number(model.seconds.get("total"), 3),
-                     ", ".join(f"{escape(stage)} {number(s, 3)}" for s, stage in parts) or "–",
-                     grouped(model.unknowns), grouped(model.contact_elements), str(len(model.points))])
+    for name in dict.fromkeys(model.name for model in result.models):
+        own = [model for model in result.models if model.name == name]
+        seconds = {stage: sum(model.seconds.get(stage, 0.0) for model in own) for model in own for stage in model.seconds}
+        parts = sorted(((s, stage) for stage, s in seconds.items() if stage != "total"), key=lambda part: -part[0])[:3]
+        patches = f"{len(own)} patches" if len(own) > 1 else ""
+        rows.append([under(escape(styles.label(name)), patches) if patches else escape(styles.label(name)),
+                     number(seconds.get("total"), 3), ", ".join(f"{escape(stage)} {number(s, 3)}" for s, stage in parts) or "–",
+                     *(grouped(max(getattr(model, size) for model in own)) for size in ("unknowns", "contact_elements")),
+                     str(sum(map(len, own)))])
     return table(["model", "seconds", "of which", "unknowns", "contact elements", "load points"], rows, "left")
 
 

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/contact/solver.hpp"
+
+#include "base/errors.hpp"
+#include "bindings/contact/words.hpp"
+#include "case/keys/case_keys.hpp"
+#include "halfspace/halfspace_models.hpp"
+#include "halfspace/model/halfspace_model.hpp"
+#include "halfspace/patch/patch_search.hpp"
+#include "profiles/profiles.hpp"
+#include "result/validity.hpp"
+#include "scene/step_past.hpp"
+#include "theories/theory_models.hpp"
+#include "track/motion/placed_scenes.hpp"
+
+#include <fmt/format.h>
+
+#include "convert/equivalent_case.hpp"
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rollfem::addon {
+
+using contact::ContactGrid;
+using contact::Scene;
+using convert::Equivalent;
+
+namespace {
+
+/// Settings of the given sections as text, to see whether they change.
+std::string keys_of(const Equivalent& made, std::initializer_list<const char*> sections) {
+  std::string keys;
+  for (const char* section : sections)
+    if (const auto found = made.fixed.find(section); found != made.fixed.end())
+      for (const convert::Setting& setting : found->second)
+        keys += fmt::format("{}.{}\n", section, setting.line());
+  return keys;
+}
+
+/// Whether the case differs in nothing but the values of its load point.
+bool same_settings(const Equivalent& a, const Equivalent& b) {
+  const auto same = [](const auto& x, const auto& y) {
+    return x.first == y.first &&
+           std::equal(x.second.begin(), x.second.end(), y.second.begin(), y.second.end(),
+                      [](const convert::Setting& s, const convert::Setting& t) {
+                        return s.key == t.key && s.value == t.value;
+                      });
+  };
+  const auto same_path = [](const auto& x, const auto& y) {
+    return x.first == y.first && std::isnan(x.second) == std::isnan(y.second);
+  };
+  return a.problem == b.problem && a.from_sliding == b.from_sliding && a.distance == b.distance &&
+         std::equal(a.fixed.begin(), a.fixed.end(), b.fixed.begin(), b.fixed.end(), same) &&
+         std::equal(a.varied.begin(), a.varied.end(), b.varied.begin(), b.varied.end(), same_path);
+}
+
+/// Whether two load points differ in nothing but creepages.
+bool same_load(const Equivalent& a, const Equivalent& b) {
+  return std::equal(a.varied.begin(), a.varied.end(), b.varied.begin(), b.varied.end(),
+                    [](const auto& x, const auto& y) {
+                      return x.second == y.second ||
+                             (std::isnan(x.second) && std::isnan(y.second)) ||
+                             x.first.rfind("rolling.", 0) == 0;
+                    });
+}
+
+/// Sets a value of the load point; its key checks it as in a case file.
+void set_value(const std::string& path, double value, contact::Case& input) {
+  const contact::Key& key = *contact::find_key(path);
+  if (!key.bounds.contains(value))
+    throw contact::InputError(fmt::format("{} = {:g} is out of bounds", path, value));
+  const bool list = key.kind == contact::KeyKind::numbers;
+  key.set(input, list ? contact::KeyValue(std::vector<double>{value}) : contact::KeyValue(value));
+}
+
+bool same_grid(const ContactGrid& a, const ContactGrid& b) {
+  const double small = 1e-12 * (b.dx + b.dy);
+  return a.nx == b.nx && a.ny == b.ny && std::abs(a.dx - b.dx) <= small &&
+         std::abs(a.dy - b.dy) <= small && a.line_reference == b.line_reference;
+}
+
+bool feels_slip(const Scene& scene) {
+  const contact::Friction law = scene.friction();
+  return law && law->feels_slip();
+}
+
+/// The profiles with the repairs that their points need, which CONTACT makes by itself.
+track::ProfilePair repaired_profiles(contact::Case& input) {
+  constexpr int most_repairs = 4;  // of both profiles
+  for (int repairs = 0;; ++repairs) try {
+      return track::profiles_of(input);
+    } catch (const profiles::RepairableProfile& fault) {
+      if (repairs == most_repairs) throw;
+      for (const std::string& line : fault.repairs) {
+        const std::size_t equals = line.find(" = ");
+        const std::string section = fault.of_wheel ? "wheel_profile" : "rail_profile";
+        const std::string value = line.substr(equals + 3);
+        contact::find_key(section, line.substr(0, equals))
+            ->set(input,
+                  value == "true" ? contact::KeyValue(true) : contact::KeyValue(std::stod(value)));
+      }
+    }
+}
+
+}  // namespace
+
+std::vector<Patch> Solver::solve(const convert::ContactCase& given, const ProfileTexts& texts) {
+  Equivalent made = convert::equivalent_of(given, "");
+  const bool continues = made.continues;
+  if (given.module == 1 && continues)
+    made.impossible.push_back("digit P = 0 in module 1: a step that continues the case before");
+  if (!made.impossible.empty())
+    throw Refusal(err_other, fmt::format("{}", fmt::join(made.impossible, "; ")));
+  if (!continues) history_.reset();
+  set_case(made, texts);
+  return given.module == 1 ? solve_pair() : std::vector<Patch>{solve_single(given, made)};
+}
+
+void Solver::set_case(Equivalent made, const ProfileTexts& texts) {
+  theories::models();  // declare their keys
+  halfspace::models();
+  const bool whole = made.history() || made.fixed.count("wheelset") > 0;
+  const bool same = made_ && !whole && same_settings(*made_, made);
+  if (!same || !same_load(*made_, made)) curve_.reset();
+  if (same) {
+    std::vector<convert::Point> values{made.varied};
+    convert::remove_unused_values(values);
+    for (const auto& [path, value] : values.front()) set_value(path, value, input_);
+  } else {
+    input_ = convert::case_of(made, "contact");
+  }
+  made_ = std::move(made);
+  if (input_.has_profiles()) read_profiles(texts);
+}
+
+void Solver::read_profiles(const ProfileTexts& texts) {
+  input_.rail.profile.text = texts[0];
+  input_.wheel.profile.text = texts[1];
+  const std::string profile_keys =
+      keys_of(*made_, {"wheel", "rail", "wheel_profile", "rail_profile"}) + texts[0] + texts[1];
+  std::string search_keys = keys_of(*made_, {"track", "rail_displacement"});
+  for (const convert::Setting& setting : made_->fixed.at("wheelset"))
+    if (setting.key == "side" || setting.key.rfind("flange", 0) == 0) search_keys += setting.line();
+  const bool varies = profiles_.wheel_sections || profiles_.rail_sections;
+  if (!varies && profile_keys == profile_keys_ && search_keys == search_keys_) return;
+  try {
+    if (profile_keys != profile_keys_) profiles_ = repaired_profiles(input_);
+    profile_keys_ = search_keys_ = "";
+    track::take_first_sections(input_, profiles_);
+    placed_.search = track::make_search_scene(input_, profiles_);
+  } catch (const contact::InputError& error) {
+    throw Refusal(err_profil, error.what());
+  }
+  profile_keys_ = profile_keys;
+  search_keys_ = search_keys;
+}
+
+const track::ProfilePair& Solver::profiles(const convert::ContactCase& given,
+                                           const ProfileTexts& texts) {
+  Equivalent made = convert::equivalent_of(given, "");
+  if (!made.impossible.empty())
+    throw Refusal(err_other, fmt::format("{}", fmt::join(made.impossible, "; ")));
+  set_case(std::move(made), texts);
+  return profiles_;
+}
+
+std::unique_ptr<contact::Elasticity> Solver::elasticity(const Scene& scene,
+                                                        const contact::ChartedGeometry& geometry,
+                                                        const ContactGrid& grid) {
+  if (!halfspaces_ || !halfspaces_->fit(scene.material, grid))
+    halfspaces_.emplace(scene.material, grid);
+  return halfspace::halfspace_elasticity_of(scene, geometry, *halfspaces_);
+}
+
+/// On the grid, or on a larger one where the patch reaches its border.
+contact::LevelResult Solver::solve_on(const Scene& scene, ContactGrid& grid) {
+  static const contact::Progress untold;
+  const contact::ChartedGeometry geometry = halfspace::halfspace_geometry(scene);
+  contact::RunOptions options;
+  options.model = "halfspace";
+  options.force_accuracy = halfspace::accuracy_of_force_search;
+  options.independent = true;
+  options.inherited = history_;
+  if (last_ && !scene.place && !scene.is_history() && !feels_slip(scene) &&
+      same_grid(last_->grid, grid) && !last_->points.empty())
+    options.coarser = &*last_;
+  constexpr int most_enlargements = 4;
+  for (int attempt = 0; attempt <= most_enlargements; ++attempt) {
+    contact::ContactRun run(scene, geometry, options, untold, nullptr);
+    if (run.solve(grid, [&] { return elasticity(scene, geometry, grid); }))
+      return run.take_result();
+    options.coarser = nullptr;
+    grid = grid.widened(grid.nx / 4 + 3, grid.ny / 4 + 3);
+  }
+  throw Refusal(err_discr, "the contact reaches far beyond the potential contact area");
+}
+
+/// What the next call starts from.
+void Solver::remember(const Scene& scene, const contact::LevelResult& level) {
+  const contact::PointResult& point = level.points.front();
+  last_.emplace();
+  last_->grid = level.grid;
+  last_->pressure = level.pressure;
+  last_->relative_traction = level.relative_traction;
+  last_->points.resize(1);
+  last_->points.front().creepage = point.creepage;
+  if (!scene.is_history()) return;
+  if (!history_) history_.emplace(level.grid, scene.upwind_order);
+  const auto& u = point.fields.displacement;
+  const bool rolls = scene.problem == contact::Problem::transient;
+  history_->advance({u.x, u.y}, rolls ? scene.points.front().step_length : 0.0, level.after);
+}
+
+Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& made) {
+  const auto scene = std::make_shared<Scene>(input_);
+  Patch patch;
+  patch.scene = scene;
+  if (convert::rolls_backwards(given)) patch.along = patch.across = -1.0;
+  patch.turns_columns = patch.turns_rows = patch.along < 0.0;
+  contact::ModelResult result;
+  if (convert::is_simplified(given.digits)) {
+    result = theories::models().at(made.model).run(*scene, {}, nullptr);
+    patch.grid = result.grid;
+  } else {
+    if (scene->is_history()) scene->past = std::make_shared<contact::StepPast>();
+    const auto& [dx, dy] = *scene->contact_grid.cell_size;
+    patch.grid = halfspace::PatchSearch(*scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
+    if (curve_) {
+      patch.nx = patch.grid.nx;
+      patch.ny = patch.grid.ny;
+      patch.point = curve_->at(*scene);
+      return patch;
+    }
+    const ContactGrid area = patch.grid;
+    if (history_ && !same_grid(last_->grid, area))
+      throw Refusal(err_discr, "digit P = 0: the grid differs from that of the step before");
+    contact::LevelResult level = solve_on(*scene, patch.grid);
+    remember(*scene, level);
+    patch.first_column = (patch.grid.nx - area.nx) / 2;
+    patch.first_row = (patch.grid.ny - area.ny) / 2;
+    result.points = std::move(level.points);
+    result.grid = patch.grid;
+    result.name = "halfspace";
+  }
+  contact::check_validity(*scene, result);
+  patch.nx = patch.grid.nx - 2 * patch.first_column;
+  patch.ny = patch.grid.ny - 2 * patch.first_row;
+  patch.point = std::move(result.points.front());
+  if (patch.first_row == 0 && !convert::is_simplified(given.digits))
+    curve_ = CreepCurve::of(*scene, patch.grid, *halfspaces_, patch.point);
+  return patch;
+}
+
+/// CONTACT's axes on the track point forward, to the right and down, its body 1 is the rail.
+std::vector<Patch> Solver::solve_pair() {
+  track::SearchOptions options;
+  options.with_reserve = input_.load.vertical_force.has_value();
+  placed_.scenes.clear();
+  if (!input_.track.rail_stiffness)
+    placed_.scenes = track::make_scenes(input_, placed_.search, options);
+  const track::BalancedCase balanced = track::balance(input_, placed_);
+  std::vector<Patch> patches;
+  for (const Scene& one : balanced.scenes) {
+    Patch patch;
+    const auto scene = std::make_shared<const Scene>(one);
+    patch.scene = scene;
+    const auto& [dx, dy] = *scene->contact_grid.cell_size;
+    patch.grid = halfspace::PatchSearch(*scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
+    contact::LevelResult level = solve_on(*scene, patch.grid);
+    patch.nx = patch.grid.nx;
+    patch.ny = patch.grid.ny;
+    patch.point = std::move(level.points.front());
+    patch.along = -1.0;
+    patch.turns_rows = true;
+    const track::WheelRailContact& contact = track::contact_of(*scene, balanced.placed);
+    const double turning =
+        input_.wheelset.rotation_change.empty() ? 0.0 : input_.wheelset.rotation_change.front();
+    patch.placed = {
+        contact,
+        (patch.point.approach + contact.place.separation) / std::cos(contact.place.contact_angle),
+        (1.0 + turning) * contact.place.rolling_radius / input_.wheel.rolling_radius};
+    patches.push_back(std::move(patch));
+  }
+  return patches;
+}
+
+}  // namespace rollfem::addon

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// From a case in CONTACT's words to solved patches, without text or files between. What the next
+// call can use is kept: the case, the placed profiles, influence coefficients, the last solution.
+#pragma once
+
+#include "bindings/contact/creep_curve.hpp"
+#include "case/case.hpp"
+#include "contact/solve/contact_run.hpp"
+#include "halfspace/elasticity/preconditioned_elasticity.hpp"
+#include "track/balance/balance.hpp"
+
+#include "convert/contact_case.hpp"
+#include "convert/equivalent.hpp"
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace rollfem::addon {
+
+/// What a client is refused, with the error code of the interface.
+class Refusal : public std::runtime_error {
+ public:
+  Refusal(int code, const std::string& text) : std::runtime_error(text), code_(code) {}
+  int code() const { return code_; }
+
+ private:
+  int code_;
+};
+
+/// Stresses of one block of points: x fastest, then y, then z; CONTACT's axes and signs.
+struct BlockStresses {
+  std::array<int, 3> count{};
+  std::vector<std::array<double, 21>> rows;  ///< the columns of subs_getresults
+};
+
+/// A contact on the track: what its place, frames and the forces of the wheel follow from.
+struct PlacedPatch {
+  track::WheelRailContact contact;
+  double sinking = 0.0;          ///< mm, of the wheel below first touch
+  double circumferential = 1.0;  ///< speed of the wheel's surface over the forward speed
+};
+
+struct Patch {
+  contact::ContactGrid grid;  ///< of the solution: the potential contact area, or around it
+  int first_column = 0, first_row = 0, nx = 0, ny = 0;  ///< that area
+  std::shared_ptr<const contact::Scene> scene;
+  contact::PointResult point;
+  std::optional<PlacedPatch> placed;  ///< module 1
+  /// CONTACT's axes against ours: signs of components on its body 1, and whether rows (columns) run
+  /// the other way.
+  double along = 1.0, across = 1.0;
+  bool turns_columns = false, turns_rows = false;
+  std::map<int, BlockStresses> stresses{};
+
+  /// Index of ours of element (i, j) of CONTACT's, both from 0.
+  int index(int i, int j) const {
+    const int column = turns_columns ? nx - 1 - i : i, row = turns_rows ? ny - 1 - j : j;
+    return grid.index(first_column + column, first_row + row);
+  }
+  int size() const { return nx * ny; }
+};
+
+/// Points y, z as lines of text, instead of the profile files of rail and wheel; or empty.
+using ProfileTexts = std::array<std::string, 2>;
+
+class Solver {
+ public:
+  /// Throws Refusal, contact::InputError and contact::SolveError.
+  std::vector<Patch> solve(const convert::ContactCase& given, const ProfileTexts& texts);
+  /// The profiles, read as the case says; as solve().
+  const track::ProfilePair& profiles(const convert::ContactCase& given, const ProfileTexts& texts);
+
+  const contact::Case& input() const { return input_; }
+  const track::SearchScene& search() const { return placed_.search; }
+
+ private:
+  void set_case(convert::Equivalent made, const ProfileTexts& texts);
+  void read_profiles(const ProfileTexts& texts);
+  Patch solve_single(const convert::ContactCase& given, const convert::Equivalent& made);
+  std::vector<Patch> solve_pair();
+  contact::LevelResult solve_on(const contact::Scene& scene, contact::ContactGrid& grid);
+  void remember(const contact::Scene& scene, const contact::LevelResult& level);
+  std::unique_ptr<contact::Elasticity> elasticity(const contact::Scene& scene,
+                                                  const contact::ChartedGeometry& geometry,
+                                                  const contact::ContactGrid& grid);
+
+  std::optional<convert::Equivalent> made_;  ///< that input_ follows from
+  contact::Case input_;
+  ProfileTexts texts_;
+  std::string profile_keys_, search_keys_;  ///< by which profiles_ and placed_ were made
+  track::ProfilePair profiles_;
+  track::PlacedWheels placed_;
+  std::optional<halfspace::Halfspaces> halfspaces_;
+  std::optional<contact::LevelResult> last_;  ///< of module 3
+  std::optional<contact::History> history_;   ///< of its steps
+  std::shared_ptr<CreepCurve> curve_;         ///< null unless creepages alone change
+};
+
+}  // namespace rollfem::addon

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "convert/equivalent_case.hpp"
+
+#include "case/reading/case_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rollfem::convert {
+
+void remove_unused_values(std::vector<Point>& points) {
+  for (const std::string name : {"longitudinal", "lateral"}) {
+    const std::string force = "rolling." + name + "_force";
+    const auto prescribed = std::count_if(points.begin(), points.end(), [&](const Point& point) {
+      const auto found = point.find(force);
+      return found != point.end() && !std::isnan(found->second);
+    });
+    for (Point& point : points) {
+      if (prescribed == 0) point.erase(force);
+      if (prescribed < static_cast<std::ptrdiff_t>(points.size())) continue;
+      point.erase("rolling." + name + "_creepage");
+      point.erase("history." + name + "_shift");
+    }
+  }
+  const auto rolls = [](Point& point) {
+    const auto way = point.find("history.wheel_way");
+    return way == point.end() ||
+           std::abs(way->second - point["history.step_length"]) <= 1e-6 * way->second;
+  };
+  if (std::all_of(points.begin(), points.end(), rolls))
+    for (Point& point : points) point.erase("history.wheel_way");
+}
+
+namespace {
+
+/// The elements' distances by rows, x and y ascending.
+contact::Lattice lattice_of(const std::vector<std::array<double, 3>>& points, int nx) {
+  std::vector<double> values;
+  for (const auto& point : points) values.push_back(point[2]);
+  const bool turned = points.front()[0] > points.back()[0];
+  if (turned) std::reverse(values.begin(), values.end());
+  const auto &first = turned ? points.back() : points.front(),
+             &last = turned ? points.front() : points.back();
+  const int ny = static_cast<int>(points.size()) / nx;
+  return {"distances",
+          nx,
+          ny,
+          first[0],
+          first[1],
+          (last[0] - first[0]) / std::max(nx - 1, 1),
+          (last[1] - first[1]) / std::max(ny - 1, 1),
+          {std::move(values)}};
+}
+
+}  // namespace
+
+contact::Case case_of(const Equivalent& made, const std::string& name) {
+  contact::NamedValues values;
+  for (const auto& [section, settings] : made.fixed)
+    for (const Setting& setting : settings)
+      values.emplace_back(section.empty() ? setting.key : section + "." + setting.key,
+                          setting.value);
+  std::vector<Point> points{made.varied};
+  remove_unused_values(points);
+  for (const auto& [path, value] : points.front()) values.emplace_back(path, value);
+  if (made.problem != "steady") values.emplace_back("rolling.problem", made.problem);
+  if (made.from_sliding) values.emplace_back("friction.branch", "sliding");
+  // A shape that stands for the points until all keys are checked.
+  if (!made.distance.empty())
+    values.emplace_back("undeformed_distance.quadratic", std::vector<double>{1e-3, 1e-3});
+  contact::Case input = contact::make_case(values, name);
+  if (made.distance.empty()) return input;
+  const auto row = std::find_if(made.distance.begin(), made.distance.end(), [&](const auto& point) {
+    return point[1] != made.distance.front()[1];
+  });
+  input.undeformed_distance.quadratic.reset();
+  input.undeformed_distance.values =
+      lattice_of(made.distance, static_cast<int>(row - made.distance.begin()));
+  return input;
+}
+
+}  // namespace rollfem::convert

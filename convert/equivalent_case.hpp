@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The equivalent of one CONTACT case as a case in memory, without a file between.
+#pragma once
+
+#include "case/case.hpp"
+
+#include "convert/equivalent.hpp"
+#include <string>
+#include <vector>
+
+namespace rollfem::convert {
+
+/// Removes the forces where none is prescribed, and the motion where forces are prescribed in all
+/// points.
+void remove_unused_values(std::vector<Point>& points);
+
+/// The case of one load point, without a file; `name` represents it in messages. Throws
+/// contact::InputError where values are out of bounds.
+contact::Case case_of(const Equivalent& made, const std::string& name);
+
+}  // namespace rollfem::convert
