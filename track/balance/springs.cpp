@@ -68,25 +68,24 @@ WheelOnRail on_moved_rail(const contact::Case& here, const SearchScene& search, 
 
 RailVector settled_rail(const contact::Case& input, RailVector start,
                         const std::function<RailVector(const RailVector&)>& force) {
-  const auto& [stiff_y, stiff_z] = *input.track.rail_stiffness;
-  const auto& [own_y, own_z] = input.track.rail_force;
+  const auto &stiff = *input.track.rail_stiffness, &own = input.track.rail_force;
   const bool carried = input.load.vertical_force.has_value();
   const double outward = side_sign(input.wheelset.side == contact::WheelSide::left);
   RailVector moved = start, found{};
   const auto down = [&](double z) {
     moved[1] = z;
     found = force(moved);
-    return stiff_z * z - found[1] - own_z;
+    return stiff[1] * z - found[1] - own[1];
   };
   const auto aside = [&](double y) {
     moved[0] = y;
     if (carried) {
       found = force(moved);
-      moved[1] = (found[1] + own_z) / stiff_z;
+      moved[1] = (found[1] + own[1]) / stiff[1];
     } else {
       moved[1] = settled(down, moved[1], 1.0, "the height of the rail on springs");
     }
-    return stiff_y * y - found[0] - own_y;
+    return stiff[0] * y - found[0] - own[0];
   };
   moved[0] = settled(aside, start[0], outward, "the lateral place of the rail on springs");
   return moved;
