@@ -261,14 +261,14 @@ ContactState solve_coupled(const Compliance& compliance, const Preconditioner& p
                           std::to_string(solution.iterations) + " iterations, required " +
                           std::to_string(options.tolerance);
   if (solution.tangential.feedback) {
-    const SteepCause steep = steep_cause(
+    const SteepCause why = steep_cause(
         *problem.conditions.friction, solution.tangential.steepness,
         problem.motion.past ? problem.motion.past->length : preconditioner.whole.grid().dx);
     throw NoSteadyFriction(
-        steep.cause +
+        why.cause +
         " that no stable steady state was found: it jumps to another one whenever pressure and "
         "slip are corrected for each other; do: " +
-        steep.cure + " (" + how + ")");
+        why.cure + " (" + how + ")");
   }
   throw SolveError(how);
 }
