@@ -137,14 +137,14 @@ struct BlockMesh {
 
   Section section() const {
     Section result;
-    const int columns = last_column();
+    const int last = last_column();
     for (int row = 0; row <= rows(); ++row)
-      for (int column = 0; column <= columns; ++column) result.points.push_back(point(column, row));
+      for (int column = 0; column <= last; ++column) result.points.push_back(point(column, row));
     for (int row = 0; row < rows(); ++row)
-      for (int column = 0; column < columns; ++column)
+      for (int column = 0; column < last; ++column)
         result.quads.push_back(
             {at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)});
-    for (int column = 0; column < columns; ++column)
+    for (int column = 0; column < last; ++column)
       result.edges.push_back({{at(column, 0), at(column + 1, 0)}, Side::contact});
     for (int row = 0; half && row < rows(); ++row)
       result.edges.push_back({{at(0, row), at(0, row + 1)}, Side::symmetry});

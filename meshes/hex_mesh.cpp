@@ -216,7 +216,7 @@ void check_sides(const HexMesh& mesh, const std::map<Face, FaceUse>& faces,
 constexpr int neighbours[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
                                   {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
 /// Opposite faces.
-constexpr int faces[3][2][4] = {
+constexpr int opposite_faces[3][2][4] = {
     {{0, 3, 7, 4}, {1, 2, 6, 5}}, {{0, 1, 5, 4}, {3, 2, 6, 7}}, {{0, 1, 2, 3}, {4, 5, 6, 7}}};
 
 }  // namespace
@@ -247,7 +247,7 @@ CellQuality cell_quality(const std::array<std::array<double, 3>, 8>& corners) {
         std::min(quality.scaled_jacobian, product > 0 ? edges.determinant() / product : 0.0);
   }
   double shortest = 0.0, longest = 0.0;
-  for (const auto& pair : faces) {
+  for (const auto& pair : opposite_faces) {
     Eigen::Vector3d way = Eigen::Vector3d::Zero();
     for (int k = 0; k < 4; ++k) way += 0.25 * (at(pair[1][k]) - at(pair[0][k]));
     const double size = way.norm();

@@ -251,8 +251,8 @@ void SectionSurface::run_along_way(SectionSpline spline,
 
 void SectionSurface::check_way(const std::vector<std::array<std::size_t, 2>>& having,
                                const Nodes& nodes) const {
-  const double steepest = turn_ > 0.0 ? 5000.0 : 10.0;  // mm/rad, mm/mm
-  constexpr double least_swing = 1.0;                   // mm
+  const double steepest_way = turn_ > 0.0 ? 5000.0 : 10.0;  // mm/rad, mm/mm
+  constexpr double least_swing = 1.0;                       // mm
   const auto step = static_cast<std::ptrdiff_t>(parameter_.size());
   for (std::size_t k = 0; k < nodes.value.size(); ++k) {
     const auto [first, last] = having[k % parameter_.size()];
@@ -271,11 +271,11 @@ void SectionSurface::check_way(const std::vector<std::array<std::size_t, 2>>& ha
     double near = length;
     if (i > first) near = std::min(near, way_[i] - way_[i - 1]);
     if (i + 1 < last) near = std::min(near, way_[i + 2] - way_[i + 1]);
-    const bool swings = length > 20.0 * near && turned > 0.05 * steepest &&
+    const bool swings = length > 20.0 * near && turned > 0.05 * steepest_way &&
                         swing > std::max(least_swing, 2.0 * change);
     // A wall whose foot has sections is given so; one between sections at about the same place is a
     // mistake.
-    const bool is_wall = std::abs(chord) > steepest && length < 10.0 / steepest;
+    const bool is_wall = std::abs(chord) > steepest_way && length < 10.0 / steepest_way;
     if (!is_wall && !swings) continue;
     throw SectionsTooClose(fmt::format(
         "from {:g} to {:g} points move by up to {:.3g} mm from section to section, and a smooth "

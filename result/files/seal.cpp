@@ -2,6 +2,7 @@
 #include "result/files/seal.hpp"
 
 #include "base/errors.hpp"
+#include "base/text_fields.hpp"
 #include "result/record.hpp"
 
 #include <fmt/format.h>
