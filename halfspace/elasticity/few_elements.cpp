@@ -24,7 +24,8 @@ int points_over(int elements) {
 }
 
 std::size_t points_of(const ContactGrid& grid) {
-  return static_cast<std::size_t>(points_over(grid.nx) * points_over(grid.ny));
+  return static_cast<std::size_t>(points_over(grid.nx)) *
+         static_cast<std::size_t>(points_over(grid.ny));
 }
 
 /// The points before and behind an element, between which its values are distributed.
@@ -310,7 +311,7 @@ void FewElementsNormal::gather(const NormalBlock& block, const double* forces,
       const double force = forces[grid.index(i, j)] / block.carried[j];
       if (force == 0.0) continue;
       const Between column(i, grid.nx);
-      double* at = &loads[static_cast<std::size_t>(row.before * across + column.before)];
+      double* at = loads.data() + (row.before * across + column.before);
       at[0] += (1.0 - row.behind) * (1.0 - column.behind) * force;
       at[1] += (1.0 - row.behind) * column.behind * force;
       at[across] += row.behind * (1.0 - column.behind) * force;
@@ -327,7 +328,7 @@ void FewElementsNormal::spread(const NormalBlock& block, const std::vector<doubl
     const Between row(j, grid.ny);
     for (int i = 0; i < grid.nx; ++i) {
       const Between column(i, grid.nx);
-      const double* at = &at_points[static_cast<std::size_t>(row.before * across + column.before)];
+      const double* at = at_points.data() + (row.before * across + column.before);
       const double before = (1.0 - column.behind) * at[0] + column.behind * at[1];
       const double behind = (1.0 - column.behind) * at[across] + column.behind * at[across + 1];
       displacement[grid.index(i, j)] +=
