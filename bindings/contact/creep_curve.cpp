@@ -60,24 +60,18 @@ contact::PointResult CreepCurve::at(const Scene& scene) {
   Eigen::VectorXd strain(newton_.traction().size());
   rolling_.apply(newton_.traction(), Eigen::Map<Eigen::VectorXd>(strain.data(), strain.size()));
   point_.creepage = creepage;
-  double& fx = point_.longitudinal_force = 0.0;
-  double& fy = point_.lateral_force = 0.0;
-  double& mz = point_.spin_moment = 0.0;
   const auto count = static_cast<Eigen::Index>(rolling_.grid_indices().size());
   for (Eigen::Index e = 0; e < count; ++e) {
     const Eigen::Index k = rolling_.grid_indices()[static_cast<std::size_t>(e)];
-    const double px = fields.traction.x[k] = newton_.traction()[e];
-    const double py = fields.traction.y[k] = newton_.traction()[count + e];
+    fields.traction.x[k] = newton_.traction()[e];
+    fields.traction.y[k] = newton_.traction()[count + e];
     fields.slip.x[k] = problem.motion.rigid_slip.x[k] + strain[e];
     fields.slip.y[k] = problem.motion.rigid_slip.y[k] + strain[count + e];
     fields.state[static_cast<std::size_t>(k)] = newton_.adheres()[static_cast<std::size_t>(e)]
                                                     ? contact::ElementState::adhesion
                                                     : contact::ElementState::slip;
-    const auto i = static_cast<int>(k) % grid_.nx, j = static_cast<int>(k) / grid_.nx;
-    fx += px * grid_.element_area();
-    fy += py * grid_.element_area();
-    mz += (grid_.x(i) * py - grid_.y(j) * px) * grid_.element_area();
   }
+  contact::integrate_tractions(grid_, point_);
   fields.displacement = halfspaces_.like->apply(fields.traction);
   return point_;
 }

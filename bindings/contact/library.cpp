@@ -205,4 +205,9 @@ void demand_values(int given, int needed) {
     throw Refusal(err_other, fmt::format("{} values are given, {} are needed", given, needed));
 }
 
+void demand_arrays(const int* nints, const int* iparam, const int* nreals, const double* rparam) {
+  if ((*nints > 0 && iparam == nullptr) || (*nreals > 0 && rparam == nullptr))
+    throw Refusal(err_other, "an argument is null");
+}
+
 }  // namespace rollfem::addon

@@ -85,4 +85,7 @@ std::string text_of(const char* text, int length);
 /// Throws Refusal unless at least `needed` values are given.
 void demand_values(int given, int needed);
 
+/// Throws Refusal for null arrays of integers and reals that have a length.
+void demand_arrays(const int* nints, const int* iparam, const int* nreals, const double* rparam);
+
 }  // namespace rollfem::addon

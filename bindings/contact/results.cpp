@@ -75,17 +75,10 @@ Values areas_of(Problem& problem, const Patch& patch) {
 
 /// MX, MY, XC1, YC1, DX, DY
 Values area_of(Problem& problem, const Patch& patch) {
-  const auto centre = [](double first, double step, int place, bool turned, int count) {
-    return turned ? -(first + (place + count - 1) * step) : first + place * step;
-  };
   const contact::ContactGrid& g = patch.grid;
   const Units& u = problem.units;
-  return {double(patch.nx),
-          double(patch.ny),
-          u.out(centre(g.x_first, g.dx, patch.first_column, patch.turns_columns, patch.nx)),
-          u.out(centre(g.y_first, g.dy, patch.first_row, patch.turns_rows, patch.ny)),
-          u.out(g.dx),
-          u.out(g.dy)};
+  return {double(patch.nx),    double(patch.ny), u.out(patch.x(0.0)),
+          u.out(patch.y(0.0)), u.out(g.dx),      u.out(g.dy)};
 }
 
 Values ellipse_of(Problem& problem, const Patch&) {

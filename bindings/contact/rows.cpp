@@ -121,9 +121,7 @@ Values in_mm(const Units& units, const Values& values, const std::vector<int>& p
 }
 
 Values taken(const Units& units, const Values& values, const std::vector<int>& powers) {
-  if (values.size() < powers.size())
-    throw Refusal(err_other,
-                  fmt::format("{} values are given, {} are needed", values.size(), powers.size()));
+  demand_values(static_cast<int>(values.size()), static_cast<int>(powers.size()));
   return in_mm(units,
                Values(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(powers.size())),
                powers);

@@ -116,6 +116,11 @@ track::ProfilePair repaired_profiles(contact::Case& input, const ProfileTexts& t
     }
 }
 
+void refuse_impossible(const Equivalent& made) {
+  if (!made.impossible.empty())
+    throw Refusal(err_other, fmt::format("{}", fmt::join(made.impossible, "; ")));
+}
+
 }  // namespace
 
 std::vector<Patch> Solver::solve(const convert::ContactCase& given, const ProfileTexts& texts) {
@@ -123,8 +128,7 @@ std::vector<Patch> Solver::solve(const convert::ContactCase& given, const Profil
   const bool continues = made.continues;
   if (given.module == 1 && continues)
     made.impossible.push_back("digit P = 0 in module 1: a step that continues the case before");
-  if (!made.impossible.empty())
-    throw Refusal(err_other, fmt::format("{}", fmt::join(made.impossible, "; ")));
+  refuse_impossible(made);
   if (!continues) history_.reset();
   set_case(made, texts);
   return given.module == 1 ? solve_pair() : std::vector<Patch>{solve_single(given, made)};
@@ -170,8 +174,7 @@ void Solver::read_profiles(const ProfileTexts& texts) {
 const track::ProfilePair& Solver::profiles(const convert::ContactCase& given,
                                            const ProfileTexts& texts) {
   Equivalent made = convert::equivalent_of(given, "");
-  if (!made.impossible.empty())
-    throw Refusal(err_other, fmt::format("{}", fmt::join(made.impossible, "; ")));
+  refuse_impossible(made);
   set_case(std::move(made), texts);
   return profiles_;
 }

@@ -64,6 +64,15 @@ struct Patch {
     return grid.index(first_column + column, first_row + row);
   }
   int size() const { return nx * ny; }
+  /// Middle of a column or row of CONTACT's, from 0, in its axes, mm.
+  double x(double column) const {
+    return turns_columns ? -grid.x(first_column) - (nx - 1 - column) * grid.dx
+                         : grid.x(first_column) + column * grid.dx;
+  }
+  double y(double row) const {
+    return turns_rows ? -grid.y(first_row) - (ny - 1 - row) * grid.dy
+                      : grid.y(first_row) + row * grid.dy;
+  }
 };
 
 /// Points y, z as lines of text, instead of the profile files of rail and wheel; or empty.

@@ -28,13 +28,8 @@ Axes axes_of(const Block& block, const Units& units, const Patch& patch) {
   const convert::StressBlock made =
       convert::stress_block(block.kind, block.given, {patch.nx, patch.ny});
   Axes axes{made.x, made.y, made.z};
-  const contact::ContactGrid& g = patch.grid;
-  const auto place = [&](double& value, int count, double first, double step, bool turned) {
-    const double k = turned ? count - value : value - 1.0;
-    value = made.by_element ? (turned ? -1.0 : 1.0) * (first + k * step) : units.in(value);
-  };
-  for (double& x : axes[0]) place(x, patch.nx, g.x(patch.first_column), g.dx, patch.turns_columns);
-  for (double& y : axes[1]) place(y, patch.ny, g.y(patch.first_row), g.dy, patch.turns_rows);
+  for (double& x : axes[0]) x = made.by_element ? patch.x(x - 1.0) : units.in(x);
+  for (double& y : axes[1]) y = made.by_element ? patch.y(y - 1.0) : units.in(y);
   for (double& depth : axes[2]) depth = units.in(depth);
   return axes;
 }

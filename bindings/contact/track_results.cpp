@@ -222,8 +222,7 @@ void cntc_getprofilevalues(const int* ire, const int* itask, const int* nints, c
                            const int* nreals, const double* rparam, const int* lenarr,
                            double* val) {
   fill("cntc_getprofilevalues", {ire, itask, nints, nreals}, lenarr, val, [&] {
-    if ((*nints > 0 && iparam == nullptr) || (*nreals > 0 && rparam == nullptr))
-      throw Refusal(err_other, "an argument is null");
+    demand_arrays(nints, iparam, nreals, rparam);
     if (*lenarr > 0 && *itask <= 0) val[0] = err_profil;  // until the profile is read
     Values values;
     for_pair(*ire, [&](Problem& problem) {

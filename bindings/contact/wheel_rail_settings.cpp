@@ -107,11 +107,6 @@ void set_profile(const std::string& name, const std::string& text, bool wheel, c
   problem.profile_text[wheel ? 1 : 0] = text;
 }
 
-void demand_arrays(const int* nints, const int* iparam, const int* nreals, const double* rparam) {
-  if ((*nints > 0 && iparam == nullptr) || (*nreals > 0 && rparam == nullptr))
-    throw Refusal(err_other, "an argument is null");
-}
-
 /// The last case of an input file: it holds what the cases before have set.
 void read_input(const std::string& file, Problem& problem) {
   constexpr std::size_t largest = 100'000'000;
