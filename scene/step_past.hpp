@@ -29,6 +29,15 @@ struct PastHeat {
   PastPatches patches;
 };
 
+/// Keeps of steps, the last one first, those that reach `way` back, mm.
+template <class Step>
+void keep_within(double way, std::vector<Step>& steps) {
+  double behind = 0.0;
+  std::size_t kept = 0;
+  while (kept < steps.size() && behind < way) behind += steps[kept++].length;
+  steps.resize(kept);
+}
+
 /// Elements of one size, and what lies on them: in the frame of the contact now, where the material
 /// has come to.
 struct PastLevel {

@@ -150,11 +150,7 @@ void PointMotion::warm(std::size_t k, PointResult& point) {
   heat_.insert(heat_.begin(), set_temperatures(grid_, *scene_.heat, length, heat_, point));
   const double next = scene_.points[std::min(k + 1, scene_.points.size() - 1)].step_length;
   left_temperature_ = contact::left_temperature(grid_, *scene_.heat, next, heat_);
-  const double whole = grid_.nx * grid_.dx;
-  double behind = 0.0;
-  std::size_t met = 0;
-  while (met < heat_.size() && behind < whole) behind += heat_[met++].length;
-  heat_.resize(met);
+  keep_within(grid_.nx * grid_.dx, heat_);
 }
 
 void PointMotion::advance(std::size_t k, const ContactState& state) {

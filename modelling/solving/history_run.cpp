@@ -384,13 +384,11 @@ class WheelHistory {
 
   /// Keeps the heat of twice the length of the patches.
   static void remember(contact::PastHeat heat, std::vector<contact::PastHeat>& all) {
-    double kept = 0.0, behind = 0.0;
+    double kept = 0.0;
     for (const PastPatch& patch : heat.patches)
       kept = std::max(kept, 2.0 * patch.grid.nx * patch.grid.dx);
     all.insert(all.begin(), std::move(heat));
-    std::size_t count = 0;
-    while (count < all.size() && behind < kept) behind += all[count++].length;
-    all.resize(count);
+    contact::keep_within(kept, all);
   }
 
   double next_length() const {

@@ -287,7 +287,7 @@ def plan(result):
             rings = [np.stack([over.at[m.place["position"]] + m.place["x_track"] + 0.5 * m.headline["contact_length"] * np.cos(turn),
                                m.place["y_rail"] + 0.5 * m.headline["contact_width"] * np.sin(turn)], axis=1) for m in contact]
             colour = PATCH_COLOURS[number % len(PATCH_COLOURS)]
-            panel.area(rings[::1], colour, 0.25)
+            panel.area(rings, colour, 0.25)
             panel.paths(rings, colour, 1.2)
             corners += rings
     low, high = np.min(corners, axis=(0, 1)), np.max(corners, axis=(0, 1))
