@@ -165,7 +165,7 @@ SectionWithKeys heat_section(const std::string& name, Body Case::*body) {
   keys.add("conductivity", &BodyHeat::conductivity, symbol("lambda"), unit("W/(m K)"),
            between(1e-3, 1e4), "Heat conductivity.");
   keys.add("heat_capacity", &BodyHeat::capacity, symbol("c"), unit("J/(kg K)"), between(1.0, 1e5),
-           "Heat capacity; the density is " + name + ".density.");
+           "Heat capacity; the density is that of the body.");
   keys.add("expansion", &BodyHeat::expansion, symbol("alpha"), unit("1/K"), zero_or(1e-9, 1e-3),
            "Thermal expansion, for the thermal stress of `rollfem stress`.");
   keys.add("limit", &BodyHeat::limit, unit("degC"), between(-273.0, 1e4),
@@ -186,11 +186,11 @@ SectionWithKeys geometry_section() {
   keys.add("relative_radius", &ContactShapeCase::relative_radius, symbol("R"), unit("mm"),
            between(smallest_radius, largest), otherwise("from the rolling radii"),
            "Line contact: R of the undeformed distance x^2/(2 R).");
-  keys.add("reference_distance", &ContactShapeCase::reference_distance, unit("mm"),
-           or_inf(positive()), otherwise("the relative radius"),
-           "Line contact: displacements are relative to the surface at this distance from the "
-           "load, with inf to distant points, for a load as long as `width`; approach, energy, "
-           "shifts and transients depend on it.");
+  keys.add(
+      "reference_distance", &ContactShapeCase::reference_distance, unit("mm"), or_inf(positive()),
+      otherwise("the relative radius"),
+      "Line contact: approach, energy, shifts and transients are relative to the surface at this "
+      "distance from the load, with inf to distant points, for a load as long as `width`.");
   return keys;
 }
 

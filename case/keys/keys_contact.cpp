@@ -24,9 +24,9 @@ SectionWithKeys given_pressure_section() {
                            &Case::given_pressure);
   keys.section().alternatives = true;
   keys.add("semi_axis_x", &GivenPressure::semi_axis_x, symbol("a"), unit("mm"), positive(),
-           otherwise("the normal problem is solved"), "Semi-axis of the ellipse along rolling.");
+           otherwise("not given"), "Semi-axis of the ellipse along rolling.");
   keys.add("semi_axis_y", &GivenPressure::semi_axis_y, symbol("b"), unit("mm"), positive(),
-           otherwise("the normal problem is solved"), "Semi-axis of the ellipse across rolling.");
+           otherwise("not given"), "Semi-axis of the ellipse across rolling.");
   keys.add("max_pressure", &GivenPressure::max_pressure, symbol("p_0"), unit("MPa"), positive(),
            otherwise("from load.normal_force"), "Pressure in its middle.");
   return keys;

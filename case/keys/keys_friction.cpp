@@ -95,11 +95,10 @@ void add_fall(Keys<Case>& keys) {
            "(docs/friction.md); all but `constant` need rolling.speed, except in a shift.");
   keys.add(
       kind, "kinetic_coefficient", of_falls(&FrictionFall::kinetic_coefficient), each,
-      symbol("mu_kin"), between(1e-14, 1000.0), otherwise("required unless the law is `constant`"),
+      symbol("mu_kin"), between(1e-14, 1000.0), otherwise("required by falling laws"),
       "Coefficient to which friction falls, 0.01 to 1 times the coefficient; mu_1 is the rest.");
   keys.add(kind, "half_velocity", of_falls(&FrictionFall::half_velocity), each, symbol("s_h1"),
-           unit("mm/s"), between(smallest, 1e12),
-           otherwise("required unless the law is `constant`"),
+           unit("mm/s"), between(smallest, 1e12), otherwise("required by falling laws"),
            "Slip velocity at which mu_1 is halved; in a shift, slip in mm over one second.");
   keys.add(kind, "second_part", of_falls(&FrictionFall::second_part), each, symbol("mu_2"),
            zero_or(1e-14, 1000.0), otherwise("0"),
@@ -145,7 +144,7 @@ void add_places(Keys<Case>& keys) {
     keys.add(KeyKind::numbers, name, of_places(member), per("friction points"), counts, ascending,
              traits...);
   };
-  const auto same = otherwise("friction is the same everywhere");
+  const auto same = otherwise("the same everywhere");
   places("inclination", &FrictionVariation::inclination, same, unit("rad"), within(1.6),
          "Inclinations of the rail's surface against the track plane, ascending, negative on the "
          "gauge face (minus the contact angle), for lists of the law's numbers: linear between, "
@@ -163,8 +162,8 @@ SectionWithKeys friction_section() {
   const auto no_underflow = zero_or(1e-12, 1000.0);
   keys.add(KeyKind::numbers, "coefficient", of_points(&Point::coefficient), per("friction points"),
            symbol("mu"), no_underflow, Required{"0.55"},
-           "Coefficient of friction, of a falling law at rest; 0 is frictionless. Lists, here and "
-           "below, go with inclination, track_position or lateral_position.");
+           "Coefficient of friction, of a falling law at rest. Lists, here and below, go with "
+           "inclination, track_position or lateral_position.");
   add_fall(keys);
   add_memory(keys);
   add_places(keys);

@@ -19,9 +19,8 @@ SectionWithKeys output_section() {
             {"all", GridFields::all},
             {"some", GridFields::some},
             {"none", GridFields::none}},
-           "Load points that keep fields on the contact grid, which figures and, for half-spaces, "
-           "rollfem stress need: `some` is 25, `auto` all of up to 100 per model and patch, "
-           "otherwise `some`.");
+           "Load points that keep fields on the contact grid, which figures and rollfem stress "
+           "need: `some` is 25, `auto` all of up to 100 per model and patch, otherwise `some`.");
   keys.add("body_fields", &OutputOptions::body_fields,
            {{"all", BodyFields::all}, {"last", BodyFields::last}, {"none", BodyFields::none}},
            "Load points that keep displacement and stress of wheel and rail (model fem), for "
@@ -36,14 +35,12 @@ SectionWithKeys table_section() {
   Keys<TableOptions> keys("table", "Grid of `rollfem table`; other commands ignore it",
                           &Case::table);
   keys.add("axis_ratio", &TableOptions::axis_ratio, ascending, symbol("a/b"), between(0.02, 50.0),
-           otherwise("from the case's Hertzian ellipse"),
-           "Increasing axis ratios, a along rolling.");
+           otherwise("that of the case"), "Increasing axis ratios, a along rolling.");
   keys.add("lateral_shift", &TableOptions::lateral_shift, ascending, unit("mm"), within(1e3),
-           otherwise("none: the table is over axis_ratio"),
+           otherwise("axis_ratio applies"),
            "Increasing lateral shifts, for a table of a wheel with profiles.");
   keys.add("lateral_shift_step", &TableOptions::lateral_shift_step, unit("mm"), between(1e-3, 1e3),
-           otherwise("lateral_shift lists every shift"),
-           "Step between the two shifts of lateral_shift.");
+           otherwise("all are listed"), "Step between the two shifts of lateral_shift.");
   keys.add("load", &TableOptions::load, ascending, unit("N"), between(1e-6, largest_force),
            otherwise("that of the case"),
            "Increasing loads as an axis; for ellipses with a memory or a layer.");

@@ -45,9 +45,9 @@ void add_extra_slip(RollingKeys& keys) {
 void add_problem(RollingKeys& keys) {
   keys.add("problem", &Rolling::problem,
            words_of({Problem::steady, Problem::shift, Problem::transient, Problem::frictionless}),
-           "`steady`: each load point by itself; `shift`: pressed and shifted without rolling "
-           "(Cattaneo), `transient`: rolling, both in steps from the previous state; "
-           "`frictionless`: the normal problem alone, with loads in [history] in steps.");
+           "`steady`; `shift`: pressed and shifted without rolling (Cattaneo), `transient`: "
+           "rolling, both in steps from the previous state; `frictionless`: the normal problem "
+           "alone, with loads in [history] in steps.");
   keys.add("longitudinal_force", of_each(&Rolling::forces, &PrescribedForce::longitudinal),
            symbol("F_x"), unit("N"), or_nan(within(largest_force)),
            otherwise("creepage or shift applies"),
@@ -99,12 +99,12 @@ SectionWithKeys history_section() {
            "State before a transient; `steady`: the first entry is steady rolling, which the "
            "others continue.");
   keys.add("normal_force", of_each(&Case::history, &HistoryStep::normal_force), symbol("F_z"),
-           unit("N"), zero_or(1e-6, largest_force), otherwise("load.normal_force in all steps"),
+           unit("N"), zero_or(1e-6, largest_force), otherwise("that of [load]"),
            "Normal force; 0 leaves bodies that yield without load.");
   keys.add("approach", of_each(&Case::history, &HistoryStep::approach), symbol("delta"), unit("mm"),
-           between(1e-9, 1e6), otherwise("load.approach in all steps"), "Approach.");
+           between(1e-9, 1e6), otherwise("that of [load]"), "Approach.");
   keys.add("vertical_force", of_each(&Case::history, &HistoryStep::vertical_force), symbol("Q"),
-           unit("N"), between(1e-6, largest_force), otherwise("load.vertical_force in all steps"),
+           unit("N"), between(1e-6, largest_force), otherwise("that of [load]"),
            "With profiles: vertical force on each wheel.");
   for (const Shift& shift :
        {Shift{"longitudinal_shift", "mm", 1e3,
@@ -116,7 +116,7 @@ SectionWithKeys history_section() {
     keys.add(shift.name, of_each(&Case::history, shift.member), unit(shift.unit),
              within(shift.largest), otherwise("0"), shift.sentence);
   keys.add("step_length", of_each(&Case::history, &HistoryStep::step_length), unit("mm"),
-           positive(), otherwise("the differences of track_position or of time"),
+           positive(), otherwise("from track_position or time"),
            "Distance rolled (transient); an element or a tenth of the patch is short enough.");
   keys.add(
       "time", of_each(&Case::history, &HistoryStep::time), unit("s"), within(1e6), ascending,
@@ -127,8 +127,8 @@ SectionWithKeys history_section() {
            "Way of the wheel between positions, if it is not that of its contact.");
   keys.add("motion", &Case::moves_by_positions, {{"velocities", false}, {"positions", true}},
            silent_default, otherwise("velocities"),
-           "Lateral, yaw and roll velocity of a wheel whose positions follow each other: those of "
-           "its section, or differences of the positions over step_length (also of a shift).");
+           "Lateral, yaw and roll velocity of a wheel whose positions follow each other: those "
+           "given, or differences of the positions (also of a shift).");
   return keys;
 }
 

@@ -39,7 +39,7 @@ SectionWithKeys track_section() {
       "gauge_face", &Track::gauge_face, unit("mm"), within(1e3), otherwise("found"),
       "y of the gauge face there, on the rail's profile; it also chooses among several heads.");
   keys.add("rail_position", &Track::rail_position, unit("mm"), within(1e4),
-           otherwise("the gauge places the rails"),
+           otherwise("from the gauge"),
            "Origin of the rail's profile, from the middle of the track outwards and down.");
   keys.add("rail_stiffness", &Track::rail_stiffness, unit("N/mm"), between(1.0, largest),
            otherwise("the rails stay in place"),
@@ -68,19 +68,18 @@ WheelsetKeys keys_of(const std::string& name, const std::string& sentence, bool 
 }
 
 /// The last two lists over the positions, extended to one length by `complete`.
-void add_height(WheelsetKeys& keys, const std::string& of) {
-  keys.add(
-      "height", &Wheelset::height, unit("mm"), within(1e3), per("positions"),
-      otherwise("the load determines it"),
-      "z of the middle of the axle plus wheel.rolling_radius, instead of a load (a result then): " +
-          of);
+void add_height(WheelsetKeys& keys) {
+  keys.add("height", &Wheelset::height, unit("mm"), within(1e3), per("positions"),
+           otherwise("the load determines it"),
+           "z of the middle of the axle plus wheel.rolling_radius, instead of a load (a result "
+           "then): 0 is level with the top of the rails or the profile's z = 0, positive below.");
 }
 
 /// Where along the track, and which part of the wheel is below.
-void add_way(WheelsetKeys& keys, const std::string& what) {
+void add_way(WheelsetKeys& keys) {
   keys.add("track_position", &Wheelset::track_position, unit("mm"), within(largest),
            per("positions"), otherwise("required if rail or friction change along the track"),
-           "Where along the track the " + what + " is.");
+           "Position along the track.");
   keys.add("wheel_angle", &Wheelset::wheel_angle, unit("rad"), within(1e3), per("positions"),
            otherwise("required if the profile changes about the axle"),
            "Angle of the wheel's section that points down; grows in rolling.");
@@ -92,25 +91,25 @@ void add_positions(WheelsetKeys& keys) {
       "lateral_shift", &Wheelset::lateral_shift, unit("mm"), within(1e3), per("positions"),
       "Lateral shift, positive to the right. Lists (also of yaw and roll) give several positions.");
   keys.add("yaw", &Wheelset::yaw, unit("rad"), within(largest_turn), per("positions"),
-           "Yaw, positive to the right.");
+           "Yaw, positive from x to y.");
   keys.add("roll", &Wheelset::roll, unit("rad"), within(largest_turn), per("positions"),
            otherwise("both wheels touch their rails"),
            "Roll, positive when the right wheel is lower; each wheel is then lowered onto its rail "
            "separately.");
-  add_height(keys, "0 is level with the rails, positive below; with roll.");
-  add_way(keys, "wheelset");
+  add_height(keys);
+  add_way(keys);
 }
 
-void add_motion(WheelsetKeys& keys, const std::string& lateral, const Choices<FreeRolling>& free,
+void add_motion(WheelsetKeys& keys, const Choices<FreeRolling>& free,
                 const std::string& conditions) {
   keys.add("lateral_velocity", &Wheelset::lateral_velocity, within(1.0),
-           "Lateral over forward velocity, positive " + lateral + ".");
+           "Lateral over forward velocity, positive along y.");
   keys.add("yaw_velocity", &Wheelset::yaw_velocity, unit("rad/mm"), within(1.0),
            "Change of yaw per rolled distance.");
   keys.add("roll_velocity", &Wheelset::roll_velocity, unit("rad/mm"), within(1.0),
            "Change of roll per rolled distance.");
   keys.add("vertical_velocity", &Wheelset::vertical_velocity, within(1.0),
-           otherwise("wheel and rail neither part nor overlap"),
+           otherwise("the wheel follows the rail"),
            "Vertical over forward velocity, positive downwards.");
   keys.add("rotation_change", of_each(&Wheelset::rotation_change), within(1.0), otherwise("0"),
            "Relative change of the rotation from V / rolling_radius: positive drives, negative "
@@ -136,7 +135,7 @@ SectionWithKeys wheelset_section() {
            "y of the flange back on the wheel's profile.");
   add_positions(keys);
   add_motion(
-      keys, "to the right",
+      keys,
       {{"none", FreeRolling::none}, {"force", FreeRolling::force}, {"torque", FreeRolling::torque}},
       no_force + "; `torque`: the torque on both is axle_torque.");
   keys.add("axle_torque", of_each(&Wheelset::axle_torque), unit("N mm"), within(largest_force),
@@ -155,14 +154,13 @@ SectionWithKeys placement_section() {
            "Where the field is, seen along x.");
   keys.add("lateral_position", &Wheelset::lateral_shift, unit("mm"), within(1e4), per("positions"),
            "y of the origin of the wheel's profile. Lists give several poses.");
-  add_height(keys, "0 is level with the profile's z = 0, positive below.");
+  add_height(keys);
   keys.add("yaw", &Wheelset::yaw, unit("rad"), within(largest_turn), per("positions"),
            "Yaw, positive from x to y.");
   keys.add("roll", &Wheelset::roll, unit("rad"), within(largest_turn), per("positions"),
            otherwise("0"), "Roll, positive from y to z.");
-  add_way(keys, "wheel");
-  add_motion(keys, "along y", {{"none", FreeRolling::none}, {"force", FreeRolling::force}},
-             no_force + ".");
+  add_way(keys);
+  add_motion(keys, {{"none", FreeRolling::none}, {"force", FreeRolling::force}}, no_force + ".");
   return keys;
 }
 

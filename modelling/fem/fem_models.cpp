@@ -107,15 +107,15 @@ void add_passes(FemKeys& keys) {
            "Contact of the passes: of the bodies as they are, or `elastic`, as if their shape had "
            "not changed (for theory).");
   keys.add("limit_state", &FemOptions::limit_state,
-           "Extrapolate each pass (cycle of load points) from those before: about half the passes "
-           "lead to the repeating state; then only increments of plastic strain count.");
+           "Extrapolate each pass (cycle of load points), which reaches the repeating state in "
+           "half the passes; only increments of plastic strain then count.");
   keys.add("plastic_extent", &FemOptions::plastic_extent, between(0.5, 10.0),
            "Extent of the region that may yield, relative to the usual one; it grows where steel "
            "yields at its border, and the default cell_size with it.");
   keys.add("surface_layer", &FemOptions::surface_layer, unit("mm"), contact::zero_or(1e-4, 1e3),
            otherwise("chosen"),
-           "Height of the cells at the surface of a body that yields; rows below grow to the cell "
-           "size. Chosen where the traction may exceed the yield stress in shear; 0: equal rows.");
+           "Height of the cells at the surface of a body that yields, growing below "
+           "(docs/plasticity.md); 0: equal rows.");
 }
 
 /// Inertia needs a speed below the Rayleigh wave speed, at which moving loads have no steady
