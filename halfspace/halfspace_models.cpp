@@ -32,14 +32,13 @@ void check_line(const contact::GivenCase& given, contact::Case&) {
 void add_halfspace_keys() {
   using contact::SurfaceForm;
   contact::Keys<HalfspaceOptions> keys("halfspace", "Model `halfspace`");
-  keys.add(
-      "surface", &contact::Case::surface,
-      {{"auto", SurfaceForm::automatic},
-       {"planar", SurfaceForm::planar},
-       {"curved", SurfaceForm::curved}},
-      "`planar`: tangent plane of the contact point; `curved`: common surface of wheel and rail "
-      "across rolling (steady or frictionless, like materials, no subsurface stress); `auto`: "
-      "curved if the normals of true profiles spread by 0.03 to 0.06 rad or more (docs/track.md).");
+  keys.add("surface", &contact::Case::surface,
+           {{"auto", SurfaceForm::automatic},
+            {"planar", SurfaceForm::planar},
+            {"curved", SurfaceForm::curved}},
+           "`planar`: tangent plane; `curved`: common surface across rolling (steady or "
+           "frictionless, like materials, no subsurface stress); `auto`: curved if the normals of "
+           "true profiles spread by 0.03 to 0.06 rad or more (docs/track.md).");
   keys.add("model_error", &HalfspaceOptions::model_error,
            "Estimate the half-space's model error from the true curvature of wheel and rail (0.1 s "
            "per load point).");

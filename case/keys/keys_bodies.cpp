@@ -13,9 +13,9 @@ void add_radius(Keys<Body>& keys, const char* papers_symbol, const char* toml,
                 const char* sentence) {
   keys.add("transverse_radius", &Body::transverse_radius, symbol(papers_symbol), unit("mm"),
            or_inf(sized(smallest_radius, largest)), Required{toml}, sentence);
-  keys.add("round_to", &Body::round_to, between(0.1, 0.9),
-           "Fraction of the transverse radius up to which the profile is round; beyond, it is "
-           "straight (docs/meshes.md).");
+  keys.add(
+      "round_to", &Body::round_to, between(0.1, 0.9),
+      "Fraction of the transverse radius beyond which the profile is straight (docs/meshes.md).");
 }
 
 template <class Body>
@@ -25,7 +25,7 @@ void add_material(Keys<Body>& keys) {
   keys.add("poisson_ratio", inside(&Body::material, &Material::poisson_ratio), symbol("nu"),
            upper_open(between(0.0, 0.5)), "Poisson's ratio.");
   keys.add("density", inside(&Body::material, &Material::density), symbol("rho"), unit("t/mm^3"),
-           zero_or(1e-15, 1e-7), "Density (1 t/mm^3 = 1e12 kg/m^3), for fem.inertia and heat.");
+           zero_or(1e-15, 1e-7), "Density, for fem.inertia and heat.");
 }
 
 /// `names`: built-in profiles.
@@ -45,8 +45,8 @@ SectionWithKeys wheel_section() {
   keys.add("rolling_radius", &Wheel::rolling_radius, symbol("R"), unit("mm"),
            between(smallest_radius, largest), Required{"405.0"}, "Radius at the running circle.");
   add_radius(keys, "R_wy", "inf",
-             "Radius of the profile: positive convex, negative concave (hollow tread; larger than "
-             "the rail's), inf flat.");
+             "Radius of the profile: positive convex, negative concave (larger than the rail's), "
+             "inf flat.");
   add_material(keys);
   add_shape_from_files(keys, "`S1002`, `S1002-smooth`");
   return keys;
@@ -202,8 +202,8 @@ void add_formulas(ProfileKeys& keys) {
            otherwise("required by `arcs`"),
            "Radii of tangent arcs: positive convex, negative concave, inf straight.");
   keys.add("ends", &Profile::ends, unit("mm"), within(1e3), otherwise("required by `arcs`"),
-           "y at which the arcs end: with symmetric = true one for each radius, from the middle "
-           "outwards; otherwise one more than radii, increasing. They pass through (0, 0).");
+           "y at which the arcs end, from the middle outwards if symmetric, otherwise one more "
+           "than radii, increasing. They pass through (0, 0).");
   keys.add("symmetric", &Profile::symmetric, "The arcs are given for y > 0 and mirrored.");
   keys.add("slope", &Profile::slope, within(1e6), "dz/dy of unsymmetric arcs at (0, 0).");
   keys.add("coefficients", &Profile::coefficients, within(largest_force),

@@ -7,8 +7,7 @@ namespace rollfem::contact {
 namespace {
 
 SectionWithKeys undeformed_distance_section() {
-  Keys<DistanceOptions> keys("undeformed_distance", "Undeformed distance, instead of radii",
-                             &Case::undeformed_distance);
+  Keys<DistanceOptions> keys("undeformed_distance", "Instead of radii", &Case::undeformed_distance);
   keys.section().alternatives = true;
   keys.add("quadratic", &DistanceOptions::quadratic, symbol("A, B"), unit("1/mm"),
            between(1e-9, 1e6), otherwise("from the radii"), "h = A x^2 + B y^2.");

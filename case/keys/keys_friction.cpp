@@ -91,8 +91,8 @@ void add_fall(Keys<Case>& keys) {
   const auto kind = KeyKind::numbers;
   const auto each = per("friction points");
   keys.add("law", inside(&Case::friction_fall, &FrictionFall::shape), laws(),
-           "How friction falls with the slip velocity or follows the surface temperature "
-           "(docs/friction.md); all but `constant` need rolling.speed, except in a shift.");
+           "How friction falls with slip velocity or follows temperature (docs/friction.md); all "
+           "but `constant` need rolling.speed, except in a shift.");
   keys.add(
       kind, "kinetic_coefficient", of_falls(&FrictionFall::kinetic_coefficient), each,
       symbol("mu_kin"), between(1e-14, 1000.0), otherwise("required by falling laws"),
@@ -123,8 +123,7 @@ void add_memory(Keys<Case>& keys) {
            "friction, or `sliding`, the least.");
   keys.add("memory_distance", inside(&Case::friction_fall, &FrictionFall::memory_distance),
            silent_default, symbol("d_c"), unit("mm"), zero_or(smallest, largest), otherwise("0"),
-           "Sliding distance over which friction follows the slip velocity, some micrometres; 0: "
-           "at once.");
+           "Sliding distance over which friction follows the slip velocity, some micrometres.");
   keys.add("memory_velocity", inside(&Case::friction_fall, &FrictionFall::memory_velocity),
            silent_default, symbol("s_0"), unit("mm/s"), between(smallest, 1e12), otherwise("1.0"),
            "Below this slip velocity friction follows as if it slid at it.");
@@ -146,9 +145,9 @@ void add_places(Keys<Case>& keys) {
   };
   const auto same = otherwise("the same everywhere");
   places("inclination", &FrictionVariation::inclination, same, unit("rad"), within(1.6),
-         "Inclinations of the rail's surface against the track plane, ascending, negative on the "
-         "gauge face (minus the contact angle), for lists of the law's numbers: linear between, "
-         "constant outside. With profiles.");
+         "Inclinations of the rail's surface, ascending, negative on the gauge face (minus the "
+         "contact angle), for lists of the law's numbers: linear between, constant outside. With "
+         "profiles.");
   places("track_position", &FrictionVariation::track_position, same, unit("mm"), within(largest),
          "The same over wheelset.track_position.");
   places("lateral_position", &FrictionVariation::lateral_position, same, unit("mm"),

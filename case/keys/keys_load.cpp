@@ -19,8 +19,8 @@ SectionWithKeys general_section() {
            "halfspace, hybrid and fem that meets `accuracy` (docs/choice.md).");
   keys.add("accuracy", &Case::accuracy, between(1e-5, 0.5), otherwise("unset: no refinement"),
            "Largest estimated relative error of the quantities in `accuracy_of`. halfspace and fem "
-           "halve their cells until they meet it; if they cannot, the status is 1. auto includes "
-           "the model error; its default is 0.01, and missing that only a warning.");
+           "halve their cells until they meet it, or end with status 1; auto includes the model "
+           "error, with 0.01 as default.");
   keys.add("accuracy_of", &Case::accuracy_of, among_known(&KnownNames::quantities),
            "Quantities of `accuracy`, at the worst load point; errors refer to the value, of "
            "traction_coefficient to mu, of max_traction_x to mu p_0.");

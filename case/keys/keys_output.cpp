@@ -38,7 +38,7 @@ SectionWithKeys table_section() {
            otherwise("that of the case"), "Increasing axis ratios, a along rolling.");
   keys.add("lateral_shift", &TableOptions::lateral_shift, ascending, unit("mm"), within(1e3),
            otherwise("axis_ratio applies"),
-           "Increasing lateral shifts, for a table of a wheel with profiles.");
+           "Increasing lateral shifts, for a wheel with profiles.");
   keys.add("lateral_shift_step", &TableOptions::lateral_shift_step, unit("mm"), between(1e-3, 1e3),
            otherwise("all are listed"), "Step between the two shifts of lateral_shift.");
   keys.add("load", &TableOptions::load, ascending, unit("N"), between(1e-6, largest_force),

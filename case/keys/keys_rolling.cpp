@@ -24,8 +24,8 @@ void add_motion(RollingKeys& keys) {
 void add_difference(RollingKeys& keys) {
   keys.add("upwind_order", &Rolling::upwind_order,
            {{"first", UpwindOrder::first}, {"second", UpwindOrder::second}},
-           "Order of the difference along the streamline; `first` reproduces CONTACT on the same "
-           "elements and needs some ten times finer ones.");
+           "Order of the difference along the streamline; `first` reproduces CONTACT and needs "
+           "some ten times finer elements.");
   keys.add("leading_edge", &Rolling::leading_edge,
            {{"fitted", LeadingEdge::fitted}, {"plain", LeadingEdge::plain}},
            "`fitted` adapts the second-order difference to the leading edge within its element; "

@@ -110,8 +110,8 @@ void add_passes(FemKeys& keys) {
            "Extrapolate each pass (cycle of load points), which reaches the repeating state in "
            "half the passes; only increments of plastic strain then count.");
   keys.add("plastic_extent", &FemOptions::plastic_extent, between(0.5, 10.0),
-           "Extent of the region that may yield, relative to the usual one; it grows where steel "
-           "yields at its border, and the default cell_size with it.");
+           "Extent of the region that may yield, relative to the usual one; it grows by itself, "
+           "the default cell_size with it.");
   keys.add("surface_layer", &FemOptions::surface_layer, unit("mm"), contact::zero_or(1e-4, 1e3),
            otherwise("chosen"),
            "Height of the cells at the surface of a body that yields, growing below "
