@@ -233,7 +233,7 @@ bool set_error_bars(const Scene& scene, std::vector<ModelResult>& levels) {
   }
   if (scene.yields()) {
     set_pass_bars(levels[last - 1].points, levels[last].points);
-    compare_verdicts(levels[last - 1].points, levels[last].points);
+    compare_verdicts(levels[last - 1].points, levels[last].points, options_of(scene).thick_rows);
   }
   if (!beside) return false;
   beside->count_steps(scene, levels[last]);

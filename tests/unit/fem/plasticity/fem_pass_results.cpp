@@ -126,8 +126,8 @@ std::vector<contact::PointResult> one_pass(YieldVerdict verdict, double strain, 
 
 TEST(PassResults, AVerdictIsThatOfTheFinerMeshAsFarAsBothResolveIt) {
   const auto flows = YieldVerdict::ratchetting, settles = YieldVerdict::settling;
-  const auto compared = [](auto coarse, auto fine) {
-    fem::compare_verdicts(coarse, fine);
+  const auto compared = [](auto coarse, auto fine, bool thick_rows = false) {
+    fem::compare_verdicts(coarse, fine, thick_rows);
     return fine.front().yielded.front();
   };
   const YieldedSection same = compared(one_pass(flows, 3e-3, 2e-3), one_pass(flows, 4e-3, 2.1e-3));
@@ -141,6 +141,10 @@ TEST(PassResults, AVerdictIsThatOfTheFinerMeshAsFarAsBothResolveIt) {
   const YieldedSection other = compared(one_pass(flows, 3e-3, 2e-3), one_pass(settles, 3e-3, 1e-3));
   EXPECT_EQ(other.evidence, contact::YieldEvidence::meshes_differ);
   EXPECT_TRUE(says(other.finding, "settling, ") && says(other.finding, "size ratchetting"));
+  const YieldedSection thick =
+      compared(one_pass(flows, 3e-3, 2e-3), one_pass(flows, 4e-3, 2.1e-3), true);
+  EXPECT_EQ(thick.evidence, contact::YieldEvidence::not_resolved);
+  EXPECT_TRUE(says(thick.finding, "ratchetting, not resolved, at least 0.0021 of lasting"));
 }
 
 TEST(PassResults, AVerdictNamesTheLimitOfShakedownThatContradictsIt) {
