@@ -47,12 +47,6 @@ def tick_text(value, step):
     return f"{value:.{digits}f}".replace("-", MINUS)
 
 
-def decade_text(exponent):
-    if -3 <= exponent <= 4:
-        return f"{10.0 ** exponent:g}"
-    return "10" + _raised(exponent)
-
-
 def even_marks(low, high, step):
     """[(value, text)] of ticks at the multiples of a step."""
     return [(n * step, tick_text(n * step, step))
@@ -129,7 +123,8 @@ class Axis:
         if self.log:
             first, last = round(math.log10(low)), round(math.log10(high))
             every = max(1, math.ceil((last - first) * (34 if across else 22) / pixels))
-            return [(10.0 ** e, decade_text(e)) for e in range(first, last + 1, every)]
+            plain = -3 <= first and last <= 4  # never both on one axis
+            return [(10.0 ** e, f"{10.0 ** e:g}" if plain else "10" + _raised(e)) for e in range(first, last + 1, every)]
         step = nice_step(high - low, max(2, pixels / (20 if across else 30)))
         while True:
             found = even_marks(low, high, step)
