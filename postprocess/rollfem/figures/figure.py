@@ -159,7 +159,6 @@ def _spots(marker, r):
             "h": [(0, -r), (k, -r / 2), (k, r / 2), (0, r), (-k, r / 2), (-k, -r / 2)],
             "*": [(0, -r), (r / 3, -r / 3), (r, 0), (r / 3, r / 3), (0, r), (-r / 3, r / 3), (-r, 0),
                   (-r / 3, -r / 3)],
-            "P": [(-r, 0), (r, 0), (0, 0), (0, -r), (0, r), (0, 0)],
             "+": [(-r, 0), (r, 0), (0, 0), (0, -r), (0, r), (0, 0)],
             "x": [(-k, -k), (k, k), (0, 0), (-k, k), (k, -k), (0, 0)]}[marker]
 
@@ -235,7 +234,7 @@ class Panel:
         runs = np.split(known, np.flatnonzero(np.diff(known) > 1) + 1) if joined else []
         self.paths([np.stack([x[run], y[run]], axis=1) for run in runs], colour, width, dash, opacity, order=order)
         if marker:
-            fill = None if hollow == "open" or marker in "xP+" else "ground" if hollow else colour
+            fill = None if hollow == "open" or marker in "x+" else "ground" if hollow else colour
             self._markers(x[whole], y[whole], marker, size, strokes(colour, 1.2, (), fill, _SCALE), opacity, order=order)
 
     def spots(self, pairs, joined=False, **look):
@@ -422,7 +421,7 @@ class Figure:
             return ""
         text = f'<path {strokes(colour, width, dash)} d="M1 6h24"/>' if width else ""
         if marker:
-            filled = None if hollow == "open" or marker in "xP+" else "ground" if hollow else colour
+            filled = None if hollow == "open" or marker in "x+" else "ground" if hollow else colour
             text += f'<path {strokes(colour, 1.2, (), filled)} d="{marker_path(marker, [13], [6], 3)}"/>'
         return text
 

@@ -128,7 +128,7 @@ RUNNING = 6.0  # mm below the top, of the map: where wheels run, so that small d
 def draw_sections(title, columns, unit):
     """Sections along the way: some of them over y with their features, and a map of all, on which the features are
     lines: the height seen from above, or how far a wheel is out of round. `unit`: of the position."""
-    where, what = (("position along the track [mm]", f"height of the surface, the upper {RUNNING:g} mm, up [mm]") if unit == "mm" else
+    where, what = (("position along the track [mm]", f"height of the surface, upper {RUNNING:g} mm [mm]") if unit == "mm" else
                    ("angle about the axle [rad]", "radius, less that of the first section [mm]"))
     at, count = np.unique(columns["position"], return_counts=True)
     position, part, y, z = (columns[name].reshape(len(at), count[0]) for name in ("position", "part", "y", "z"))
