@@ -68,12 +68,14 @@ bool FewContact::press(const Scene& scene, const contact::ContactGrid& grid,
   halfspace::FewElementsNormal compliance(material_);
   const std::vector<double> carried(static_cast<std::size_t>(grid.ny), 1.0);
   compliance.set({{&table_, grid, carried.data()}});
+  contact::NormalOptions options;
+  options.tolerance = 1e-6;
   // The forces of the last shape are a start where the elements are as many.
   const contact::Field start = normal_.pressure();
   if (load_.force)
-    normal_.solve_sum(compliance, distance, *load_.force, {}, start);
+    normal_.solve_sum(compliance, distance, *load_.force, options, start);
   else
-    normal_.solve_approach(compliance, distance, *load_.approach, {}, start);
+    normal_.solve_approach(compliance, distance, *load_.approach, options, start);
   contact::ContactFields& fields = point_.fields;
   fields.traction.n = normal_.pressure() / grid.element_area();
   fields.gap = normal_.gap();

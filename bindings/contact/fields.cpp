@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bindings/contact/fields.hpp"
-
+#include "bindings/contact/problem.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "scene/friction_law.hpp"
 

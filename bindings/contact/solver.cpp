@@ -2,7 +2,6 @@
 #include "bindings/contact/solver.hpp"
 
 #include "base/errors.hpp"
-#include "bindings/contact/words.hpp"
 #include "case/keys/case_keys.hpp"
 #include "halfspace/halfspace_models.hpp"
 #include "halfspace/model/halfspace_model.hpp"
@@ -38,26 +37,15 @@ std::string keys_of(const Equivalent& made, std::initializer_list<const char*> s
   return keys;
 }
 
-/// Whether the cases differ in nothing but numbers.
-bool same_but_numbers(const Equivalent& a, const Equivalent& b) {
-  const auto same_setting = [](const convert::Setting& s, const convert::Setting& t) {
-    const auto *list = std::get_if<std::vector<double>>(&s.value),
-               *other = std::get_if<std::vector<double>>(&t.value);
-    const bool numbers =
-        (list && other && list->size() == other->size()) ||
-        (std::holds_alternative<double>(s.value) && std::holds_alternative<double>(t.value));
-    return s.key == t.key && (numbers || s.value == t.value);
-  };
-  const auto same_section = [&](const auto& x, const auto& y) {
-    return x.first == y.first && std::equal(x.second.begin(), x.second.end(), y.second.begin(),
-                                            y.second.end(), same_setting);
-  };
-  const auto same_path = [](const auto& x, const auto& y) {
-    return x.first == y.first && std::isnan(x.second) == std::isnan(y.second);
-  };
-  return a.problem == b.problem && a.from_sliding == b.from_sliding && a.distance == b.distance &&
-         std::equal(a.fixed.begin(), a.fixed.end(), b.fixed.begin(), b.fixed.end(), same_section) &&
-         std::equal(a.varied.begin(), a.varied.end(), b.varied.begin(), b.varied.end(), same_path);
+/// Whether the values differ in nothing but numbers.
+bool same_but_numbers(const contact::NamedValues& a, const contact::NamedValues& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    const auto *list = std::get_if<std::vector<double>>(&x.second),
+               *other = std::get_if<std::vector<double>>(&y.second);
+    const bool number = std::holds_alternative<double>(x.second);
+    return x.first == y.first && x.second.index() == y.second.index() &&
+           (number || (list && list->size() == other->size()) || x.second == y.second);
+  });
 }
 
 /// Sets numbers; their key checks them as in a case file.
@@ -75,19 +63,6 @@ void set_value(const std::string& path, contact::KeyValue value, contact::Case& 
   else
     check(std::get<double>(value));
   key.set(input, value);
-}
-
-/// Takes over numbers that differ.
-void set_numbers(const Equivalent& before, const Equivalent& made, contact::Case& input) {
-  for (auto [from, to] = std::pair(before.fixed.begin(), made.fixed.begin());
-       to != made.fixed.end(); ++from, ++to)
-    for (std::size_t k = 0; k < to->second.size(); ++k)
-      if (const convert::Setting& setting = to->second[k]; setting.value != from->second[k].value)
-        set_value(to->first.empty() ? setting.key : to->first + "." + setting.key, setting.value,
-                  input);
-  std::vector<convert::Point> values{made.varied};
-  convert::remove_unused_values(values);
-  for (const auto& [path, value] : values.front()) set_value(path, value, input);
 }
 
 bool same_grid(const ContactGrid& a, const ContactGrid& b) {
@@ -154,11 +129,16 @@ void Solver::set_case(Equivalent made, const ProfileTexts& texts) {
   theories::models();  // declare their keys
   halfspace::models();
   const bool whole = made.history() || made.fixed.count("wheelset") > 0;
-  const auto before = std::exchange(made_, std::nullopt);  // stays so if a number is refused
-  if (before && !whole && same_but_numbers(*before, made))
-    set_numbers(*before, made, input_);
-  else
+  const contact::NamedValues before = std::exchange(values_, {}),  // none if one is refused
+      values = convert::values_of(made);
+  if (!whole && !before.empty() && made_->distance == made.distance &&
+      same_but_numbers(before, values)) {
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (values[k] != before[k]) set_value(values[k].first, values[k].second, input_);
+  } else {
     input_ = convert::case_of(made, "contact");
+  }
+  values_ = values;
   made_ = std::move(made);
   if (input_.has_profiles()) read_profiles(texts);
 }
