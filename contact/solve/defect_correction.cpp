@@ -82,7 +82,8 @@ SurfaceField tractions(const ContactState& solution) {
 
 /// Distance of the defect from its image over the contact area, without load over the grid: the
 /// normal part relative to the elastic displacement (less its mean, which the approach absorbs at
-/// given force), the tangential part as slip relative to the creepage load.
+/// given force), the tangential part as slip relative to the creepage load. Elements that the image
+/// makes penetrate count, too: few elements may carry the same pressure whatever the defect.
 double defect_residual(const Preconditioner& preconditioner, const PointProblem& problem,
                        const ContactState& solution, const Response& defect, bool to_the_bound) {
   Field mask = (solution.normal.pressure.array() > 0.0).cast<double>();
@@ -94,7 +95,15 @@ double defect_residual(const Preconditioner& preconditioner, const PointProblem&
     normal_change.array() -= mean;
   }
   const double size = rms_over(mask, solution.displacement.n);
-  double residual = problem.presses() && size > 0.0 ? rms_over(mask, normal_change) / size : 0.0;
+  double residual = 0.0;
+  if (problem.presses() && size > 0.0) {
+    const Field& steep = problem.frame.to_vertical;
+    Field gap = solution.normal.gap;
+    if (steep.size() != 0) gap = gap.cwiseProduct(steep).eval();
+    normal_change =
+        (mask.array() > 0.0).select(normal_change, (gap + normal_change).cwiseMin(0.0)).eval();
+    residual = normal_change.norm() / std::sqrt(std::max(1.0, mask.sum())) / size;
+  }
   if (problem.shares_load())
     residual = std::max(residual,
                         std::abs(force_along_load(preconditioner.whole.grid(), problem, solution) /

@@ -40,8 +40,8 @@ void check(const SurfaceShape& shape, const BodyOptions& options) {
   const auto needs = [](const char* key, double given, double needed) {
     if (!(needed <= given))
       throw contact::InputError(
-          fmt::format("fem.{} extends the segment by {} mm to one side, less than the finely "
-                      "meshed region needs ({} mm): enlarge it",
+          fmt::format("fem.{} extends the segment by {:.4g} mm to one side, less than the finely "
+                      "meshed region needs ({:.4g} mm): enlarge it",
                       key, given, needed));
   };
   needs(options.half_length ? "length" : "extent", options.reach_s(), options.fine_half_length);
