@@ -78,6 +78,8 @@ class Wishes:
                                  "output.stress_maxima; do: name one of them")
         if self.levels and not 2 <= self.levels <= 8:
             raise InputError(f"--levels {self.levels}: allowed: 2 to 8; do: correct it")
+        if not self.reference_seconds >= 0:
+            raise InputError(f"--reference-seconds {self.reference_seconds}: allowed: 0 or more; do: correct it")
 
     def able(self, scenes: Sequence[_core.Scene]) -> list[str]:
         """The models that take every scene; InputError for one that was named."""
