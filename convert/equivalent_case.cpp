@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "convert/equivalent_case.hpp"
 
-#include "case/reading/case_reader.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -55,7 +53,7 @@ contact::Lattice lattice_of(const std::vector<std::array<double, 3>>& points, in
 
 }  // namespace
 
-contact::Case case_of(const Equivalent& made, const std::string& name) {
+contact::NamedValues values_of(const Equivalent& made) {
   contact::NamedValues values;
   for (const auto& [section, settings] : made.fixed)
     for (const Setting& setting : settings)
@@ -66,10 +64,13 @@ contact::Case case_of(const Equivalent& made, const std::string& name) {
   for (const auto& [path, value] : points.front()) values.emplace_back(path, value);
   if (made.problem != "steady") values.emplace_back("rolling.problem", made.problem);
   if (made.from_sliding) values.emplace_back("friction.branch", "sliding");
-  // A shape that stands for the points until all keys are checked.
   if (!made.distance.empty())
     values.emplace_back("undeformed_distance.quadratic", std::vector<double>{1e-3, 1e-3});
-  contact::Case input = contact::make_case(values, name);
+  return values;
+}
+
+contact::Case case_of(const Equivalent& made, const std::string& name) {
+  contact::Case input = contact::make_case(values_of(made), name);
   if (made.distance.empty()) return input;
   const auto row = std::find_if(made.distance.begin(), made.distance.end(), [&](const auto& point) {
     return point[1] != made.distance.front()[1];

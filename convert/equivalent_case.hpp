@@ -3,6 +3,7 @@
 #pragma once
 
 #include "case/case.hpp"
+#include "case/reading/case_reader.hpp"
 
 #include "convert/equivalent.hpp"
 #include <string>
@@ -13,6 +14,9 @@ namespace rollfem::convert {
 /// Removes the forces where none is prescribed, and the motion where forces are prescribed in all
 /// points.
 void remove_unused_values(std::vector<Point>& points);
+
+/// All its keys, with a shape that stands for the distances of points.
+contact::NamedValues values_of(const Equivalent& made);
 
 /// The case of one load point, without a file; `name` represents it in messages. Throws
 /// contact::InputError where values are out of bounds.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bindings/contact/fields.hpp"
-
+#include "bindings/contact/problem.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "scene/friction_law.hpp"
 
@@ -31,6 +30,12 @@ contact::Field friction_of(const Patch& patch) {
 
 contact::TangentialField rigid_slip(const Patch& patch) {
   return halfspace::halfspace_geometry(*patch.scene).rigid_slip(patch.point.creepage, patch.grid);
+}
+
+contact::SurfaceField displacement_of(const Patch& patch) {
+  const auto& fields = patch.point.fields;
+  if (fields.traction.x.size() == 0 || fields.displacement.x.size() > 0) return fields.displacement;
+  return halfspace::Halfspaces(patch.scene->material, patch.grid).like->apply(fields.traction);
 }
 
 /// Zero where there is no pressure, and everywhere if the field is empty.
@@ -64,9 +69,9 @@ Known field_of(int code, const Problem& problem, const Patch& patch) {
     case fld_pn:
       return {f.traction.n, 1.0, -2};
     case fld_ux:
-      return {f.displacement.x, x, 1};
+      return {displacement_of(patch).x, x, 1};
     case fld_uy:
-      return {f.displacement.y, y, 1};
+      return {displacement_of(patch).y, y, 1};
     case fld_un:
       return {f.displacement.n, 1.0, 1};
     case fld_taucrt:

@@ -3,6 +3,8 @@
 
 #include "halfspace/patch/patch_search.hpp"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <functional>
 
@@ -10,22 +12,36 @@ namespace rollfem::addon {
 
 using contact::Vector3;
 using Eigen::Vector3d;
+using Values = std::vector<double>;
 
 namespace {
+
+struct Marker {
+  Vector3d place = Vector3d::Zero();                   ///< mm, on the track
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns, on the track
+  double roll = 0.0, yaw = 0.0;                        ///< rad
+  Vector3d seen(const Vector3d& point) const { return axes.transpose() * (point - place); }
+};
+
+/// Of CONTACT: rail and wheel profile, wheelset.
+struct Markers {
+  Marker rail, wheel, wheelset;
+};
 
 Vector3d vector(const Vector3& v) {
   return {v[0], v[1], v[2]};
 }
 
 Marker marker(const Vector3d& place, double roll, double yaw) {
-  Marker made;
-  made.place = place;
-  made.roll = roll;
-  made.yaw = yaw;
-  made.axes =
-      (Eigen::AngleAxisd(yaw, Vector3d::UnitZ()) * Eigen::AngleAxisd(roll, Vector3d::UnitX()))
-          .toRotationMatrix();
-  return made;
+  return {place,
+          (Eigen::AngleAxisd(yaw, Vector3d::UnitZ()) * Eigen::AngleAxisd(roll, Vector3d::UnitX()))
+              .toRotationMatrix(),
+          roll, yaw};
+}
+
+/// The contact reference point on the track.
+Vector3d reference_of(const Patch& patch) {
+  return vector(patch.placed->contact.origin);
 }
 
 /// Calls work(place on the track, force of the element on the wheel, pressure) for loaded elements.
@@ -52,12 +68,7 @@ void for_elements(const Patch& patch,
   }
 }
 
-}  // namespace
-
-Vector3d reference_of(const Patch& patch) {
-  return vector(patch.placed->contact.origin);
-}
-
+/// From z to the contact's normal (down).
 double angle_of(const Patch& patch) {
   const contact::ContactPlace& place = patch.placed->contact.place;
   return place.left ? place.contact_angle : -place.contact_angle;
@@ -72,23 +83,12 @@ Markers markers_of(const Problem& problem, const Patch& patch) {
   pose.height = patch.placed->height();
   const contact::Axle axle = track::place_axle(pose, input, left);
   const Vector3 origin = track::profile_origin(axle, radius);
-  Markers made;
-  made.rail = marker({0.0, side * rail.shift_y, rail.shift_z}, side * rail.angle, 0.0);
   const std::size_t k = left ? 0 : 1;
   const contact::Displacement& moved = input.wheel_displacement;
-  made.wheel = marker({origin[0], side * origin[1], origin[2]}, pose.roll + moved.roll[k],
-                      pose.yaw + moved.yaw[k]);
-  made.wheelset = marker({0.0, pose.lateral_shift, pose.height - radius}, pose.roll, pose.yaw);
-  return made;
-}
-
-TrackForce force_of(const Patch& patch) {
-  TrackForce sum;
-  for_elements(patch, [&](const Vector3d& place, const Vector3d& force, double) {
-    sum.force += force;
-    sum.moment += place.cross(force);
-  });
-  return sum;
+  return {marker({0.0, side * rail.shift_y, rail.shift_z}, side * rail.angle, 0.0),
+          marker({origin[0], side * origin[1], origin[2]}, pose.roll + moved.roll[k],
+                 pose.yaw + moved.yaw[k]),
+          marker({0.0, pose.lateral_shift, pose.height - radius}, pose.roll, pose.yaw)};
 }
 
 Vector3d pressure_centre(const Patch& patch) {
@@ -99,6 +99,60 @@ Vector3d pressure_centre(const Patch& patch) {
     weight += pressure;
   });
   return sum / weight;
+}
+
+void append(const Vector3d& place, const Units& units, Values& to) {
+  for (const double value : place) to.push_back(units.out(value));
+}
+
+}  // namespace
+
+Values location_of(Problem& problem, const Patch& patch) {
+  if (!patch.placed) throw Refusal(err_icp, "only module 1 has locations");
+  const auto& [rail, wheel, set] = markers_of(problem, patch);
+  const Vector3d at = reference_of(patch), middle = pressure_centre(patch);
+  const double angle = angle_of(patch), moved = problem.given.digits.F == 3 ? none : 0.0;
+  Values v;
+  const auto add = [&](const Vector3d& place, std::initializer_list<double> rest) {
+    append(place, problem.units, v);
+    v.insert(v.end(), rest);
+  };
+  add(at, {angle});
+  add(rail.seen(at), {none, angle - rail.roll});
+  add(wheel.seen(at), {none, angle - wheel.roll});
+  add({middle.x(), middle.y(), none}, {moved, moved, none});
+  add(wheel.place, {wheel.roll, wheel.yaw});
+  add(rail.place, {rail.roll, none});
+  v.erase(v.end() - 5);  // x
+  add(set.seen(at), {angle - set.roll});
+  add(set.seen(wheel.place), {wheel.roll - set.roll, wheel.yaw - set.yaw});
+  return v;
+}
+
+Values global_forces(const Problem& problem, const std::vector<Patch*>& patches) {
+  Values v(24, 0.0);
+  const double body = -problem.units.body;  // of forces on the wheel
+  for (const Patch* patch : patches) {
+    const Markers markers = markers_of(problem, *patch);
+    Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
+    for_elements(*patch, [&](const Vector3d& place, const Vector3d& one, double) {
+      force += one;
+      moment += place.cross(one);
+    });
+    const auto add = [&](std::size_t first, const Marker& axes, const Marker& about) {
+      const Vector3d f = body * (axes.axes.transpose() * force);
+      const Vector3d m = body * (axes.axes.transpose() * (moment - about.place.cross(force)));
+      for (std::size_t k = 0; k < 3; ++k) {
+        v[first + k] += f[static_cast<Eigen::Index>(k)];
+        v[first + 3 + k] += problem.units.out(m[static_cast<Eigen::Index>(k)]);
+      }
+    };
+    add(0, Marker{}, markers.rail);
+    add(6, markers.wheelset, markers.wheel);
+    add(12, markers.rail, markers.rail);
+    add(18, markers.wheel, markers.wheel);
+  }
+  return v;
 }
 
 }  // namespace rollfem::addon

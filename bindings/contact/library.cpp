@@ -2,13 +2,13 @@
 #include "bindings/contact/library.hpp"
 
 #include "base/errors.hpp"
+#include "bindings/contact/rollfem/contact_addon.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <new>
 
 namespace rollfem::addon {
 
@@ -90,6 +90,31 @@ std::string Library::path_of(const std::string& name) const {
   return fs::absolute(fs::path(work_folder_) / name).string();
 }
 
+namespace {
+
+int code_of(const std::exception& error) {
+  if (const auto* refusal = dynamic_cast<const Refusal*>(&error)) return refusal->code();
+  return dynamic_cast<const contact::SolveError*>(&error) != nullptr ? err_norm : err_other;
+}
+
+/// Under which a problem is kept: module 1 has one.
+int key_of(const Element& element, int icp) {
+  return element.module == 1 ? 0 : icp;
+}
+
+/// A text before errors of this problem.
+template <class Work>
+void at_problem(int ire, int icp, const Work& work) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    throw Refusal(code_of(error),
+                  fmt::format("result element {}, contact problem {}: {}", ire, icp, error.what()));
+  }
+}
+
+}  // namespace
+
 void guarded(const char* function, std::initializer_list<const void*> arguments, int* ierror,
              const std::function<int()>& work) {
   int code = err_other;
@@ -98,17 +123,8 @@ void guarded(const char* function, std::initializer_list<const void*> arguments,
     if (std::find(arguments.begin(), arguments.end(), nullptr) != arguments.end())
       throw Refusal(err_other, "an argument is null");
     code = work();
-  } catch (const Refusal& refusal) {
-    code = refusal.code();
-    why = refusal.what();
-  } catch (const contact::InputError& error) {
-    why = error.what();
-  } catch (const contact::SolveError& error) {
-    code = err_norm;
-    why = error.what();
-  } catch (const std::bad_alloc&) {
-    why = "out of memory";
   } catch (const std::exception& error) {
+    code = code_of(error);
     why = error.what();
   } catch (...) {
     why = "an unknown error";
@@ -121,31 +137,13 @@ void guarded(const char* function, std::initializer_list<const void*> arguments,
   }
 }
 
-namespace {
-
-/// Under which a problem is kept: module 1 has one.
-int key_of(const Element& element, int icp) {
-  return element.module == 1 ? 0 : icp;
-}
-
-/// A text before errors of this problem.
-template <class Work>
-void at_problem(int ire, int icp, const Work& work) {
-  const auto place = [&](const std::exception& error) {
-    return fmt::format("result element {}, contact problem {}: {}", ire, icp, error.what());
-  };
-  try {
+void guarded(const char* function, std::initializer_list<const void*> arguments,
+             const std::function<void()>& work) {
+  guarded(function, arguments, nullptr, [&] {
     work();
-  } catch (const Refusal& error) {
-    throw Refusal(error.code(), place(error));
-  } catch (const contact::InputError& error) {
-    throw contact::InputError(place(error));
-  } catch (const contact::SolveError& error) {
-    throw contact::SolveError(place(error));
-  }
+    return 0;
+  });
 }
-
-}  // namespace
 
 void for_problems(int ire, int icp, const std::function<void(Problem&)>& work) {
   std::shared_ptr<Element> element = Library::here().find(ire);
@@ -183,11 +181,9 @@ void for_problem(int ire, int icp, const std::function<void(Problem&)>& work) {
 
 void for_patch(int ire, int icp, const std::function<void(Problem&, const Patch&)>& work) {
   for_problem(ire, icp, [&](Problem& problem) {
-    if (problem.cases == 0) throw Refusal(err_icp, "it is not solved");
-    const auto number =
-        static_cast<std::size_t>(problem.given.module == 1 && icp > 0 ? icp - 1 : 0);
-    if (number >= problem.patches.size()) throw Refusal(err_icp, "there is no such patch");
-    work(problem, problem.patches[number]);
+    const std::vector<Patch*> patches = patches_of(problem, icp);
+    if (patches.empty()) throw Refusal(err_icp, "there is no such patch");
+    work(problem, *patches.front());
   });
 }
 
@@ -200,14 +196,67 @@ std::string text_of(const char* text, int length) {
   return value.substr(first, value.find_last_not_of(" \t") - first + 1);
 }
 
-void demand_values(int given, int needed) {
-  if (given < needed)
-    throw Refusal(err_other, fmt::format("{} values are given, {} are needed", given, needed));
-}
-
-void demand_arrays(const int* nints, const int* iparam, const int* nreals, const double* rparam) {
+void demand_arrays(Int nints, Int iparam, Int nreals, Real rparam) {
   if ((*nints > 0 && iparam == nullptr) || (*nreals > 0 && rparam == nullptr))
     throw Refusal(err_other, "an argument is null");
 }
+
+// The functions that begin and end the library and its result elements.
+
+/// As CONTACT 25.1 counts.
+static constexpr int interface_version = 2501;
+
+extern "C" {
+
+/// Files have no numbers here.
+void cntc_setfileunits(const int*, const int*) {}
+
+void cntc_initializefirst(int* ifcver, int* ierror, Int ioutput, const char* wrkdir,
+                          const char* outdir, const char* expnam, Int len_wrkdir, Int len_outdir,
+                          Int len_expnam) {
+  guarded("cntc_initializefirst",
+          {ifcver, ioutput, wrkdir, outdir, expnam, len_wrkdir, len_outdir, len_expnam}, ierror,
+          [&] {
+            *ifcver = interface_version;
+            const std::string work = text_of(wrkdir, *len_wrkdir);
+            const std::string out = text_of(outdir, *len_outdir);
+            Library::here().open(work, out.empty() ? work : out, *ioutput);
+            return 0;
+          });
+}
+
+void cntc_initializefirst_new(int* ifcver, int* ierror, Int ioutput, const char* wrkdir,
+                              const char* outdir, const char* expnam, Int len_wrkdir,
+                              Int len_outdir, Int len_expnam) {
+  cntc_initializefirst(ifcver, ierror, ioutput, wrkdir, outdir, expnam, len_wrkdir, len_outdir,
+                       len_expnam);
+}
+
+void cntc_initialize(Int ire, Int imodul, int* ifcver, int* ierror, const char* outdir,
+                     Int len_outdir) {
+  guarded("cntc_initialize", {ire, imodul, ifcver, outdir, len_outdir}, ierror, [&] {
+    *ifcver = interface_version;
+    if (*imodul != 1 && *imodul != 3)
+      throw Refusal(err_other, fmt::format("module {}: allowed: 1, 3", *imodul));
+    Library::here().begin(*ire, *imodul);
+    return 0;
+  });
+}
+
+void cntc_getmaxnumthreads(int* mxthrd) {
+  guarded("cntc_getmaxnumthreads", {mxthrd}, [&] {
+    *mxthrd = 1024;  // there is no licence that limits them
+  });
+}
+
+void cntc_finalize(Int ire) {
+  guarded("cntc_finalize", {ire}, [&] { Library::here().end(*ire); });
+}
+
+void cntc_finalizelast(void) {
+  guarded("cntc_finalizelast", {}, [] { Library::here().end_all(); });
+}
+
+}  // extern "C"
 
 }  // namespace rollfem::addon

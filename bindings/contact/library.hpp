@@ -4,7 +4,6 @@
 #pragma once
 
 #include "bindings/contact/problem.hpp"
-#include "bindings/contact/words.hpp"
 
 #include <array>
 #include <cstdio>
@@ -17,6 +16,10 @@
 #include <string>
 
 namespace rollfem::addon {
+
+// Arguments of the interface, all by reference.
+using Int = const int*;
+using Real = const double*;
 
 /// A pair of wheel and rail (module 1, one problem with any number of patches), or a set of contact
 /// problems (module 3).
@@ -64,6 +67,8 @@ class Library {
 /// returns.
 void guarded(const char* function, std::initializer_list<const void*> arguments, int* ierror,
              const std::function<int()>& work);
+void guarded(const char* function, std::initializer_list<const void*> arguments,
+             const std::function<void()>& work);
 
 /// Calls `work` for the problems that a setting concerns: module 1 has one; in module 3 icp <= 0
 /// concerns all. Creates the element (module 3) and the problem where they are new.
@@ -82,10 +87,7 @@ void for_patch(int ire, int icp, const std::function<void(Problem&, const Patch&
 /// The text of a client: up to its length or its first 0, without blanks at the ends.
 std::string text_of(const char* text, int length);
 
-/// Throws Refusal unless at least `needed` values are given.
-void demand_values(int given, int needed);
-
 /// Throws Refusal for null arrays of integers and reals that have a length.
-void demand_arrays(const int* nints, const int* iparam, const int* nreals, const double* rparam);
+void demand_arrays(Int nints, Int iparam, Int nreals, Real rparam);
 
 }  // namespace rollfem::addon

@@ -4,7 +4,6 @@
 #include "base/progress.hpp"
 #include "base/threads.hpp"
 #include "bindings/contact/library.hpp"
-#include "bindings/contact/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +17,16 @@ double Units::scale(int power) const {
   double scale = 1.0;
   for (int k = 0; k < std::abs(power); ++k) scale *= length;
   return power < 0 ? 1.0 / scale : scale;
+}
+
+std::vector<double> Units::in(std::vector<double> values, const std::vector<int>& powers) const {
+  for (std::size_t k = 0; k < values.size(); ++k)
+    values[k] *= scale(powers[std::min(k, powers.size() - 1)]);
+  return values;
+}
+
+std::vector<double> Units::out(std::vector<double> values, const std::vector<int>& powers) const {
+  return Units{1.0 / length, body, code}.in(std::move(values), powers);
 }
 
 Problem::Problem() {
@@ -35,6 +44,16 @@ ContactCase Problem::whole() const {
                      creepage[2]};
   if (given.module == 1 && given.digits.N == 1) made.wheel_rail.position[2] = normal_force;
   return made;
+}
+
+std::vector<Patch*> patches_of(Problem& problem, int icp) {
+  if (problem.cases == 0) throw Refusal(err_icp, "it is not solved");
+  std::vector<Patch*> patches;
+  for (Patch& patch : problem.patches) patches.push_back(&patch);
+  const auto number = static_cast<std::size_t>(problem.given.module == 1 ? std::max(icp, 0) : 0);
+  if (number > patches.size()) throw Refusal(err_icp, "there is no such patch");
+  if (number > 0) patches = {patches[number - 1]};
+  return patches;
 }
 
 namespace {

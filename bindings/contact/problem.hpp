@@ -9,6 +9,7 @@
 
 #include "convert/contact_case.hpp"
 #include <array>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -25,6 +26,9 @@ struct Units {
   /// A value with `power` lengths in its unit: 1 a length or a velocity, -2 a stress.
   double in(double value, int power = 1) const { return value * scale(power); }
   double out(double value, int power = 1) const { return value / scale(power); }
+  /// Of many, the last power holds for all further.
+  std::vector<double> in(std::vector<double> values, const std::vector<int>& powers) const;
+  std::vector<double> out(std::vector<double> values, const std::vector<int>& powers) const;
   double scale(int power) const;
 };
 
@@ -33,6 +37,9 @@ struct Block {
   int kind = 9;
   std::array<std::vector<double>, 3> given;
 };
+
+/// Of a number that is not known.
+inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 struct Problem {
   convert::ContactCase given;  ///< without the numbers that follow
@@ -55,6 +62,13 @@ struct Problem {
   /// The case with all numbers.
   convert::ContactCase whole() const;
 };
+
+/// Number icp of a solved problem of module 1, or all. Throws Refusal.
+std::vector<Patch*> patches_of(Problem& problem, int icp);
+
+/// A field by rows of CONTACT's elements, in the client's units and signs. Throws Refusal for an
+/// unknown code and for a field that is not known in this case.
+std::vector<double> field_values(int code, const Problem& problem, const Patch& patch);
 
 /// Solves; returns how many elements at the border of the potential contact area are in contact.
 int calculate(Problem& problem);

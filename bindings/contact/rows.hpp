@@ -13,52 +13,48 @@ namespace rollfem::addon {
 using Values = std::vector<double>;
 
 /// A setting by finite values.
-void set_values(const char* function, const int* ire, const int* icp, const int* kind,
-                const int* count, const double* values,
+void set_values(const char* function, Int ire, Int icp, Int kind, Int count, Real values,
                 void (*work)(int kind, const Values& values, Problem& problem));
 /// The same of wheel and rail.
-void set_pair_values(const char* function, const int* ire, const int* kind, const int* count,
-                     const double* values,
+void set_pair_values(const char* function, Int ire, Int kind, Int count, Real values,
                      void (*work)(int kind, const Values& values, Problem& problem));
-void set_numbers(const char* function, const int* ire, const int* icp,
+void set_numbers(const char* function, Int ire, Int icp,
                  std::initializer_list<const double*> numbers,
                  void (*work)(const Values& numbers, Problem& problem));
 
 /// Numbers of a patch; nan where there are none.
-void get_numbers(const char* function, const int* ire, const int* icp,
-                 std::initializer_list<double*> numbers,
+void get_numbers(const char* function, Int ire, Int icp, std::initializer_list<double*> numbers,
                  Values (*work)(Problem& problem, const Patch& patch));
 /// As many as the client's array holds; the rest is nan.
-void get_array(const char* function, const int* ire, const int* icp, const int* length,
-               double* values, Values (*work)(Problem& problem, const Patch& patch));
+void get_array(const char* function, Int ire, Int icp, Int length, double* values,
+               Values (*work)(Problem& problem, const Patch& patch));
 /// The fields of these codes.
-void get_fields(const char* function, const int* ire, const int* icp, const int* length,
+void get_fields(const char* function, Int ire, Int icp, Int length,
                 std::initializer_list<int> codes, std::initializer_list<double*> fields);
 /// Of an array: `arguments` without it.
-void fill(const char* function, std::initializer_list<const void*> arguments, const int* length,
-          double* values, const std::function<Values()>& work);
+void fill(const char* function, std::initializer_list<const void*> arguments, Int length,
+          double* values, const std::function<void(Values&)>& work);
 
-/// The first values in mm: a power of length in the unit of each; the last holds for all further.
-Values in_mm(const Units& units, const Values& values, const std::vector<int>& powers);
-/// As many values as there are powers, which must be given.
-Values taken(const Units& units, const Values& values, const std::vector<int>& powers);
+/// Throws Refusal for a null array and for values that are not finite.
+Values finite_values(Real values, int count);
+/// In mm, as many values as there are powers, which must be given.
+Values taken(const Units& units, Values values, const std::vector<int>& powers);
 
 // NOLINTBEGIN(bugprone-macro-parentheses)
-#define ADDON_VALUES(function, work)                                               \
-  void function(const int* ire, const int* icp, const int* kind, const int* count, \
-                const double* values) {                                            \
-    set_values(#function, ire, icp, kind, count, values, work);                    \
+#define ADDON_VALUES(function, work)                                  \
+  void function(Int ire, Int icp, Int kind, Int count, Real values) { \
+    set_values(#function, ire, icp, kind, count, values, work);       \
   }
-#define ADDON_PAIR_VALUES(function, work)                                                  \
-  void function(const int* ire, const int* kind, const int* count, const double* values) { \
-    set_pair_values(#function, ire, kind, count, values, work);                            \
+#define ADDON_PAIR_VALUES(function, work)                       \
+  void function(Int ire, Int kind, Int count, Real values) {    \
+    set_pair_values(#function, ire, kind, count, values, work); \
   }
 #define ADDON_NUMBER(function, ...)                                                          \
-  void function(const int* ire, const int* icp, const double* a) {                           \
+  void function(Int ire, Int icp, Real a) {                                                  \
     set_numbers(#function, ire, icp, {a}, [](const Values& v, Problem& p) { __VA_ARGS__; }); \
   }
 #define ADDON_NUMBERS_2(function, ...)                                                          \
-  void function(const int* ire, const int* icp, const double* a, const double* b) {             \
+  void function(Int ire, Int icp, Real a, Real b) {                                             \
     set_numbers(#function, ire, icp, {a, b}, [](const Values& v, Problem& p) { __VA_ARGS__; }); \
   }
 #define ADDON_WORK [](Problem & problem, const Patch& patch)
@@ -68,31 +64,30 @@ Values taken(const Units& units, const Values& values, const std::vector<int>& p
   static_cast<void>(u);                            \
   static_cast<void>(point);
 #define ADDON_RESULT(function, ...)                                                        \
-  void function(const int* ire, const int* icp, double* a) {                               \
+  void function(Int ire, Int icp, double* a) {                                             \
     get_numbers(                                                                           \
         #function, ire, icp, {a}, ADDON_WORK { ADDON_NAMES return Values{__VA_ARGS__}; }); \
   }
 #define ADDON_RESULTS_2(function, ...)                                                        \
-  void function(const int* ire, const int* icp, double* a, double* b) {                       \
+  void function(Int ire, Int icp, double* a, double* b) {                                     \
     get_numbers(                                                                              \
         #function, ire, icp, {a, b}, ADDON_WORK { ADDON_NAMES return Values{__VA_ARGS__}; }); \
   }
-#define ADDON_RESULTS_3(function, work)                                            \
-  void function(const int* ire, const int* icp, double* a, double* b, double* c) { \
-    get_numbers(#function, ire, icp, {a, b, c}, work);                             \
+#define ADDON_RESULTS_3(function, work)                              \
+  void function(Int ire, Int icp, double* a, double* b, double* c) { \
+    get_numbers(#function, ire, icp, {a, b, c}, work);               \
   }
-#define ADDON_ARRAY(function, work)                                                  \
-  void function(const int* ire, const int* icp, const int* length, double* values) { \
-    get_array(#function, ire, icp, length, values, work);                            \
+#define ADDON_ARRAY(function, work)                             \
+  void function(Int ire, Int icp, Int length, double* values) { \
+    get_array(#function, ire, icp, length, values, work);       \
   }
-#define ADDON_FIELDS_2(function, ...)                                                      \
-  void function(const int* ire, const int* icp, const int* length, double* a, double* b) { \
-    get_fields(#function, ire, icp, length, {__VA_ARGS__}, {a, b});                        \
+#define ADDON_FIELDS_2(function, ...)                                 \
+  void function(Int ire, Int icp, Int length, double* a, double* b) { \
+    get_fields(#function, ire, icp, length, {__VA_ARGS__}, {a, b});   \
   }
-#define ADDON_FIELDS_3(function, ...)                                                    \
-  void function(const int* ire, const int* icp, const int* length, double* a, double* b, \
-                double* c) {                                                             \
-    get_fields(#function, ire, icp, length, {__VA_ARGS__}, {a, b, c});                   \
+#define ADDON_FIELDS_3(function, ...)                                            \
+  void function(Int ire, Int icp, Int length, double* a, double* b, double* c) { \
+    get_fields(#function, ire, icp, length, {__VA_ARGS__}, {a, b, c});           \
   }
 // NOLINTEND(bugprone-macro-parentheses)
 

@@ -13,8 +13,8 @@ namespace rollfem::addon {
 
 namespace {
 
-using convert::Digits;
 using Powers = std::vector<int>;  ///< of length, in the units of values
+constexpr int most_flags = 1000;
 
 /// The powers for a method, or a refusal that calls it `what`.
 const Powers& powers_for(const std::map<int, Powers>& all, int method, int code, const char* what) {
@@ -29,57 +29,39 @@ int elements(double value) {
   return static_cast<int>(value);
 }
 
-/// Flags that are digits of the case.
-const std::map<int, int Digits::*> digit_flags{
-    {ic_config, &Digits::config}, {ic_pvtime, &Digits::P}, {ic_bound, &Digits::B},
-    {ic_tang, &Digits::T},        {ic_norm, &Digits::N},   {ic_force, &Digits::F},
-    {ic_exrhs, &Digits::E},       {ic_iestim, &Digits::I}, {ic_output, &Digits::O},
-    {ic_flow, &Digits::W},        {ic_return, &Digits::R}, {ic_matfil, &Digits::A}};
+/// Where the value of a flag is kept.
+int& place_of(int code, Problem& problem) {
+  convert::ContactCase& given = problem.given;
+  convert::Digits& d = given.digits;
+  std::map<int, int*> places{{ic_config, &d.config}, {ic_pvtime, &d.P}, {ic_bound, &d.B},
+                             {ic_tang, &d.T},        {ic_norm, &d.N},   {ic_force, &d.F},
+                             {ic_exrhs, &d.E},       {ic_iestim, &d.I}, {ic_output, &d.O},
+                             {ic_flow, &d.W},        {ic_return, &d.R}, {ic_matfil, &d.A},
+                             {ic_mater, &d.M},       {ic_heat, &d.H}};
+  places[ic_frclaw] = &given.friction_law;
+  places[ic_discns] = &given.wheel_rail.search;
+  places[ic_inflcf] = &given.bodies.influence;
+  places[if_ncase] = &problem.cases;
+  places[if_units] = &problem.units.code;
+  const auto found = places.find(code);
+  return found == places.end() ? problem.flags[code] : *found->second;
+}
 
 void set_flag(int code, int value, Problem& problem) {
-  if (const auto digit = digit_flags.find(code); digit != digit_flags.end()) {
-    problem.given.digits.*digit->second = value;
-  } else if (code == if_units) {
+  if (code == if_units) {
     if (value != un_cntc && value != un_spck && value != un_si)
       throw Refusal(err_other, fmt::format("if_units = {}: no such units here", value));
     problem.units = {value == un_cntc ? 1.0 : 1000.0, value == un_spck ? -1.0 : 1.0, value};
-  } else if (code == ic_discns) {
-    if (value >= 2) problem.given.wheel_rail.search = value;
-  } else if (code == ic_inflcf) {
-    if (value >= 2) problem.given.bodies.influence = value;
-  } else if (code >= ic_config && code <= ic_npomax) {
-    problem.flags[code] = value;
-  } else if (code >= if_idebug && code <= if_ncase) {
-    Library::here().set_flag(code, value);
-    problem.flags[code] = value;
-  } else if (code != 0) {
+    return;
+  }
+  const bool global = code >= if_idebug && code <= if_ncase;
+  if (code != 0 && !global && (code < ic_config || code > ic_npomax))
     throw Refusal(err_other, fmt::format("there is no flag {}", code));
-  }
-}
-
-int flag_of(int code, const Problem& problem) {
-  const convert::ContactCase& given = problem.given;
-  if (const auto digit = digit_flags.find(code); digit != digit_flags.end())
-    return given.digits.*digit->second;
-  switch (code) {
-    case if_units:
-      return problem.units.code;
-    case if_ncase:
-      return problem.cases;
-    case ic_discns:
-      return given.wheel_rail.search;
-    case ic_inflcf:
-      return given.bodies.influence;
-    case ic_frclaw:
-      return given.friction_law;
-    case ic_mater:
-      return given.digits.M;
-    case ic_heat:
-      return given.digits.H;
-    default:
-      const auto found = problem.flags.find(code);
-      return found == problem.flags.end() ? 0 : found->second;
-  }
+  if (global) Library::here().set_flag(code, value);
+  const bool as_before = (code == ic_discns || code == ic_inflcf) && value < 2;
+  const bool of_others = code == ic_mater || code == ic_heat || code == ic_frclaw ||
+                         code == if_ncase || code == 0;  // functions set these
+  if (!as_before && !of_others) place_of(code, problem) = value;
 }
 
 /// NU1, NU2, G1, G2 and what follows, by digit M.
@@ -105,6 +87,7 @@ void set_material(int method, const Values& given, Problem& problem) {
   if (method == 4) std::copy_n(v.begin() + 4, 4, bodies.layer.begin());
 }
 
+/// Of each body: temperature, heat capacity, conductivity, density.
 void set_heat(int method, const Values& given, Problem& problem) {
   if (method != 0 && method != 1 && method != 3)
     throw Refusal(err_other, fmt::format("there is no method H = {}", method));
@@ -116,12 +99,9 @@ void set_heat(int method, const Values& given, Problem& problem) {
 
 /// Numbers of a law by digit L: FSTAT, FKIN; FKIN, F1, SABSH1, F2, SABSH2, MEMDST, MEM_S0; FSTAT,
 /// POLACH_A, POLACH_B; FREF, TREF, DFHEAT, DTHEAT, MEMDST, MEM_S0.
-const std::map<int, Powers> friction_powers{{0, {0, 0}},
-                                            {2, {0, 0, 1, 0, 1, 1, 1}},
-                                            {3, {0, 0, 1, 0, 1, 1, 1}},
-                                            {4, {0, 0, 1, 0, 1, 1, 1}},
-                                            {5, {0, 0, -1}},
-                                            {6, {0, 0, 0, 0, 1, 1}}};
+const Powers falling{0, 0, 1, 0, 1, 1, 1};
+const std::map<int, Powers> friction_powers{{0, {0, 0}},  {2, falling},    {3, falling},
+                                            {4, falling}, {5, {0, 0, -1}}, {6, {0, 0, 0, 0, 1, 1}}};
 
 convert::FrictionSet friction_set(int law, const Values& v) {
   if (law == 0) return {0.0, v[0], v[1], {}};
@@ -161,11 +141,17 @@ void set_friction(int method, const Values& given, Problem& problem) {
 
 /// Numbers behind MX, MY, by IPOTCN.
 void set_area(int kind, const Values& given, Problem& problem) {
-  static const std::map<int, Powers> powers{{-6, {0, 0, 1, 1, 1, 0}}, {-5, {0, 0, 1, 1, 0}},
-                                            {-4, {0, 0, -1, 1, 0}},   {-3, {0, 0, 1, 1, 0}},
-                                            {-2, {0, 0, -1, 0, 0}},   {-1, {0, 0, -1, -1, 0}},
-                                            {1, {0, 0, 1, 1, 1, 1}},  {2, {0, 0, 1, 1, 1, 1}},
-                                            {3, {0, 0, 1, 1, 1, 1}},  {4, {0, 0, 1, 1, 1, 1}}};
+  static const Powers places{0, 0, 1, 1, 1, 1};
+  static const std::map<int, Powers> powers{{-6, {0, 0, 1, 1, 1, 0}},
+                                            {-5, {0, 0, 1, 1, 0}},
+                                            {-4, {0, 0, -1, 1, 0}},
+                                            {-3, {0, 0, 1, 1, 0}},
+                                            {-2, {0, 0, -1, 0, 0}},
+                                            {-1, {0, 0, -1, -1, 0}},
+                                            {1, places},
+                                            {2, places},
+                                            {3, places},
+                                            {4, places}};
   const Values v =
       taken(problem.units, given, powers_for(powers, kind, err_discr, "potential contact area"));
   convert::PotentialContact area{kind, elements(v[0]), elements(v[1]), {}};
@@ -193,12 +179,12 @@ void set_distance(int base, const Values& given, Problem& problem) {
                                             {3, {1, -1, 1, 1, -1, 1, 1, 1}},
                                             {9, {1}}};
   const Powers& of = powers_for(powers, base, err_other, "undeformed distance IBASE =");
-  problem.given.distance = {base, 1, in_mm(problem.units, given, of)};
+  problem.given.distance = {base, 1, problem.units.in(given, of)};
 }
 
 void set_creepages(const Values& v, Problem& problem) {
   const bool shift = problem.given.digits.T == 1;
-  const Values made = in_mm(problem.units, v, shift ? Powers{1, 1, 0} : Powers{0, 0, -1});
+  const Values made = problem.units.in(v, shift ? Powers{1, 1, 0} : Powers{0, 0, -1});
   std::copy(made.begin(), made.end(), problem.creepage.begin());
 }
 
@@ -220,65 +206,56 @@ ADDON_NUMBERS_2(cntc_settangentialforces, p.tangential = {p.units.body * v[0], p
 ADDON_NUMBERS_2(cntc_setrollingstepsize, p.given.rolling[0] = v[0],
                 p.given.rolling[1] = p.units.in(v[1]), p.given.wheel_rail.step = v[1])
 
-void cntc_setcreepages(const int* ire, const int* icp, const double* vx, const double* vy,
-                       const double* phi) {
+void cntc_setcreepages(Int ire, Int icp, Real vx, Real vy, Real phi) {
   set_numbers("cntc_setcreepages", ire, icp, {vx, vy, phi}, set_creepages);
 }
 
-void cntc_setextrarigidslip(const int* ire, const int* icp, const int* lenarr, const double* wx,
-                            const double* wy) {
-  guarded("cntc_setextrarigidslip", {ire, icp, lenarr, wx, wy}, nullptr, []() -> int {
-    throw Refusal(err_other, "extra rigid slip of each element has no equivalent");
-  });
+void cntc_setextrarigidslip(Int ire, Int icp, Int lenarr, Real wx, Real wy) {
+  guarded("cntc_setextrarigidslip", {ire, icp, lenarr, wx, wy},
+          [] { throw Refusal(err_other, "extra rigid slip of each element has no equivalent"); });
 }
 
-void cntc_setglobalflags(const int* lenflg, const int* params, const int* values) {
-  guarded("cntc_setglobalflags", {lenflg, params, values}, nullptr, [&] {
-    for (int k = 0; k < std::min(*lenflg, 1000); ++k)
+void cntc_setglobalflags(Int lenflg, Int params, Int values) {
+  guarded("cntc_setglobalflags", {lenflg, params, values}, [&] {
+    for (int k = 0; k < std::min(*lenflg, most_flags); ++k)
       Library::here().set_flag(params[k], values[k]);
-    return 0;
   });
 }
 
-void cntc_setflags(const int* ire, const int* icp, const int* lenflg, const int* params,
-                   const int* values) {
-  guarded("cntc_setflags", {ire, icp, lenflg, params, values}, nullptr, [&] {
+void cntc_setflags(Int ire, Int icp, Int lenflg, Int params, Int values) {
+  guarded("cntc_setflags", {ire, icp, lenflg, params, values}, [&] {
     for_problems(*ire, *icp, [&](Problem& problem) {
-      for (int k = 0; k < std::min(*lenflg, 1000); ++k) set_flag(params[k], values[k], problem);
+      for (int k = 0; k < std::min(*lenflg, most_flags); ++k)
+        set_flag(params[k], values[k], problem);
     });
-    return 0;
   });
 }
 
-void cntc_getflags(const int* ire, const int* icp, const int* lenflg, const int* params,
-                   int* values) {
-  guarded("cntc_getflags", {ire, icp, lenflg, params, values}, nullptr, [&] {
+void cntc_getflags(Int ire, Int icp, Int lenflg, Int params, int* values) {
+  guarded("cntc_getflags", {ire, icp, lenflg, params, values}, [&] {
     for_problem(*ire, *icp, [&](Problem& problem) {
-      for (int k = 0; k < std::min(*lenflg, 1000); ++k) values[k] = flag_of(params[k], problem);
+      for (int k = 0; k < std::min(*lenflg, most_flags); ++k)
+        values[k] = place_of(params[k], problem);
     });
-    return 0;
   });
 }
 
 /// For CONTACT's mat-files, which rollfem does not write.
-void cntc_setmetadata(const int* ire, const int* icp, const int* lenmta, const int* params,
-                      const double* values) {
-  guarded("cntc_setmetadata", {ire, icp, lenmta, params, values}, nullptr, [] { return 0; });
+void cntc_setmetadata(Int ire, Int icp, Int lenmta, Int params, Real values) {
+  guarded("cntc_setmetadata", {ire, icp, lenmta, params, values}, [] { return 0; });
 }
 
 /// Solvers need no settings; INISLP chooses among several states of falling friction.
-void cntc_setsolverflags(const int* ire, const int* icp, const int* gdigit, const int* nints,
-                         const int* iparam, const int* nreals, const double* rparam) {
-  static_cast<void>(rparam);
-  guarded("cntc_setsolverflags", {ire, icp, gdigit, nints, nreals}, nullptr, [&] {
-    if (*nints > 0 && iparam == nullptr) throw Refusal(err_other, "an argument is null");
+void cntc_setsolverflags(Int ire, Int icp, Int gdigit, Int nints, Int iparam, Int nreals,
+                         Real rparam) {
+  guarded("cntc_setsolverflags", {ire, icp, gdigit, nints, nreals}, [&] {
+    demand_arrays(nints, iparam, nreals, rparam);
     for_problems(*ire, *icp, [&](Problem& problem) {
       if (*gdigit >= 2 && *gdigit <= 4 && *nints >= 5) problem.given.initial_slip = iparam[4];
       if (*gdigit == 0) problem.given.initial_slip = 0;
       if (*gdigit != 1 && *gdigit <= 5 && *nints >= 4)
         problem.given.max_outer = std::max(iparam[3], 1);
     });
-    return 0;
   });
 }
 

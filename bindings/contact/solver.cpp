@@ -2,7 +2,6 @@
 #include "bindings/contact/solver.hpp"
 
 #include "base/errors.hpp"
-#include "bindings/contact/words.hpp"
 #include "case/keys/case_keys.hpp"
 #include "halfspace/halfspace_models.hpp"
 #include "halfspace/model/halfspace_model.hpp"
@@ -38,40 +37,32 @@ std::string keys_of(const Equivalent& made, std::initializer_list<const char*> s
   return keys;
 }
 
-/// Whether the case differs in nothing but the values of its load point.
-bool same_settings(const Equivalent& a, const Equivalent& b) {
-  const auto same = [](const auto& x, const auto& y) {
-    return x.first == y.first &&
-           std::equal(x.second.begin(), x.second.end(), y.second.begin(), y.second.end(),
-                      [](const convert::Setting& s, const convert::Setting& t) {
-                        return s.key == t.key && s.value == t.value;
-                      });
-  };
-  const auto same_path = [](const auto& x, const auto& y) {
-    return x.first == y.first && std::isnan(x.second) == std::isnan(y.second);
-  };
-  return a.problem == b.problem && a.from_sliding == b.from_sliding && a.distance == b.distance &&
-         std::equal(a.fixed.begin(), a.fixed.end(), b.fixed.begin(), b.fixed.end(), same) &&
-         std::equal(a.varied.begin(), a.varied.end(), b.varied.begin(), b.varied.end(), same_path);
+/// Whether the values differ in nothing but numbers.
+bool same_but_numbers(const contact::NamedValues& a, const contact::NamedValues& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    const auto *list = std::get_if<std::vector<double>>(&x.second),
+               *other = std::get_if<std::vector<double>>(&y.second);
+    const bool number = std::holds_alternative<double>(x.second);
+    return x.first == y.first && x.second.index() == y.second.index() &&
+           (number || (list && list->size() == other->size()) || x.second == y.second);
+  });
 }
 
-/// Whether two load points differ in nothing but creepages.
-bool same_load(const Equivalent& a, const Equivalent& b) {
-  return std::equal(a.varied.begin(), a.varied.end(), b.varied.begin(), b.varied.end(),
-                    [](const auto& x, const auto& y) {
-                      return x.second == y.second ||
-                             (std::isnan(x.second) && std::isnan(y.second)) ||
-                             x.first.rfind("rolling.", 0) == 0;
-                    });
-}
-
-/// Sets a value of the load point; its key checks it as in a case file.
-void set_value(const std::string& path, double value, contact::Case& input) {
+/// Sets numbers; their key checks them as in a case file.
+void set_value(const std::string& path, contact::KeyValue value, contact::Case& input) {
   const contact::Key& key = *contact::find_key(path);
-  if (!key.bounds.contains(value))
-    throw contact::InputError(fmt::format("{} = {:g} is out of bounds", path, value));
-  const bool list = key.kind == contact::KeyKind::numbers;
-  key.set(input, list ? contact::KeyValue(std::vector<double>{value}) : contact::KeyValue(value));
+  if (const double* number = std::get_if<double>(&value);
+      number != nullptr && key.kind == contact::KeyKind::numbers)
+    value = std::vector<double>{*number};
+  const auto check = [&](double number) {
+    if (!key.bounds.contains(number))
+      throw contact::InputError(fmt::format("{} = {:g} is out of bounds", path, number));
+  };
+  if (const auto* list = std::get_if<std::vector<double>>(&value))
+    std::for_each(list->begin(), list->end(), check);
+  else
+    check(std::get<double>(value));
+  key.set(input, value);
 }
 
 bool same_grid(const ContactGrid& a, const ContactGrid& b) {
@@ -138,15 +129,16 @@ void Solver::set_case(Equivalent made, const ProfileTexts& texts) {
   theories::models();  // declare their keys
   halfspace::models();
   const bool whole = made.history() || made.fixed.count("wheelset") > 0;
-  const bool same = made_ && !whole && same_settings(*made_, made);
-  if (!same || !same_load(*made_, made)) curve_.reset();
-  if (same) {
-    std::vector<convert::Point> values{made.varied};
-    convert::remove_unused_values(values);
-    for (const auto& [path, value] : values.front()) set_value(path, value, input_);
+  const contact::NamedValues before = std::exchange(values_, {}),  // none if one is refused
+      values = convert::values_of(made);
+  if (!whole && !before.empty() && made_->distance == made.distance &&
+      same_but_numbers(before, values)) {
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (values[k] != before[k]) set_value(values[k].first, values[k].second, input_);
   } else {
     input_ = convert::case_of(made, "contact");
   }
+  values_ = values;
   made_ = std::move(made);
   if (input_.has_profiles()) read_profiles(texts);
 }
@@ -240,10 +232,11 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
     if (scene->is_history()) scene->past = std::make_shared<contact::StepPast>();
     const auto& [dx, dy] = *scene->contact_grid.cell_size;
     patch.grid = halfspace::PatchSearch(*scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
-    if (curve_) {
+    if (!few_) few_ = std::make_shared<FewContact>();
+    if (auto point = few_->solve(*scene, patch.grid)) {
       patch.nx = patch.grid.nx;
       patch.ny = patch.grid.ny;
-      patch.point = curve_->at(*scene);
+      patch.point = std::move(*point);
       return patch;
     }
     const ContactGrid area = patch.grid;
@@ -261,8 +254,6 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
   patch.nx = patch.grid.nx - 2 * patch.first_column;
   patch.ny = patch.grid.ny - 2 * patch.first_row;
   patch.point = std::move(result.points.front());
-  if (patch.first_row == 0 && !convert::is_simplified(given.digits))
-    curve_ = CreepCurve::of(*scene, patch.grid, *halfspaces_, patch.point);
   return patch;
 }
 

@@ -3,8 +3,9 @@
 // call can use is kept: the case, the placed profiles, influence coefficients, the last solution.
 #pragma once
 
-#include "bindings/contact/creep_curve.hpp"
+#include "bindings/contact/few_contact.hpp"
 #include "case/case.hpp"
+#include "case/reading/case_reader.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "track/balance/balance.hpp"
@@ -20,6 +21,21 @@
 #include <vector>
 
 namespace rollfem::addon {
+
+// The numbers by which CONTACT's clients name flags, units, fields and errors.
+inline constexpr int if_units = 1933, un_cntc = 1934, un_spck = 1935, un_si = 1936;
+inline constexpr int ic_config = 1967, ic_pvtime = 1970, ic_bound = 1971, ic_tang = 1972,
+                     ic_norm = 1973, ic_force = 1974, ic_frclaw = 1976, ic_discns = 1977,
+                     ic_inflcf = 1978, ic_mater = 1979, ic_exrhs = 1980, ic_heat = 1982,
+                     ic_iestim = 1983, ic_output = 1984, ic_flow = 1985, ic_return = 1986,
+                     ic_matfil = 1987, ic_sens = 1988, ic_npomax = 1993;
+inline constexpr int if_idebug = 2000, if_openmp = 2003, if_ncase = 2005;
+inline constexpr int fld_h = 1, fld_mu = 2, fld_px = 3, fld_py = 4, fld_pn = 5, fld_ux = 7,
+                     fld_uy = 8, fld_un = 9, fld_taucrt = 11, fld_uplsx = 12, fld_uplsy = 13,
+                     fld_sx = 15, fld_sy = 16, fld_temp1 = 20, fld_temp2 = 21, fld_wx = 22,
+                     fld_wy = 23;
+inline constexpr int err_norm = -27, err_icp = -31, err_profil = -32, err_frclaw = -33,
+                     err_discr = -34, err_input = -39, err_other = -99;
 
 /// What a client is refused, with the error code of the interface.
 class Refusal : public std::runtime_error {
@@ -100,6 +116,7 @@ class Solver {
                                                   const contact::ContactGrid& grid);
 
   std::optional<convert::Equivalent> made_;  ///< that input_ follows from
+  contact::NamedValues values_;              ///< of it; empty: none
   contact::Case input_;
   std::string profile_keys_, search_keys_;  ///< by which profiles_ and placed_ were made
   track::ProfilePair profiles_;
@@ -107,7 +124,7 @@ class Solver {
   std::optional<halfspace::Halfspaces> halfspaces_;
   std::optional<contact::LevelResult> last_;  ///< of module 3
   std::optional<contact::History> history_;   ///< of its steps
-  std::shared_ptr<CreepCurve> curve_;         ///< null unless creepages alone change
+  std::shared_ptr<FewContact> few_;           ///< null: not yet needed
 };
 
 }  // namespace rollfem::addon

@@ -32,46 +32,45 @@ void set_dimensions(const Values& given, Problem& problem) {
 
 void set_track(int digit, const Values& given, Problem& problem) {
   WheelRail& pair = problem.given.wheel_rail;
-  const auto take = [&](Values& to, const Values& from, const std::vector<int>& powers) {
-    to = taken(problem.units, from, powers);
-  };
-  const std::vector<int> deviations{1, 1, 0, 1, 1, 0};
   if (digit == 32 || digit == 33) {
-    take(pair.springs, given, {-1, 0, -1, 0});
+    pair.springs = taken(problem.units, given, {-1, 0, -1, 0});
     problem.given.digits.F = 3;
-  } else if (digit == 1) {
-    set_dimensions(given, problem);
-  } else if (digit == 2) {
-    take(pair.rail_deviations, given, deviations);
-  } else if (digit == 3) {  // older clients leave out NOMRAD and CURV, or CURV alone
-    const auto middle =
-        given.end() - std::min<std::ptrdiff_t>(6, static_cast<std::ptrdiff_t>(given.size()));
-    set_dimensions(Values(given.begin(), middle), problem);
-    take(pair.rail_deviations, Values(middle, given.end()), deviations);
-  } else if (digit != 0) {
-    throw Refusal(err_other, fmt::format("ZTRACK = {}: allowed: 0 to 3, 32, 33", digit));
+    return;
   }
+  if (digit < 0 || digit > 3)
+    throw Refusal(err_other, fmt::format("ZTRACK = {}: allowed: 0 to 3, 32, 33", digit));
+  // Older clients leave out NOMRAD and CURV, or CURV alone.
+  const std::size_t deviations = digit < 2    ? 0
+                                 : digit == 2 ? given.size()
+                                              : std::min<std::size_t>(6, given.size());
+  const auto middle = given.end() - static_cast<std::ptrdiff_t>(deviations);
+  if (digit == 1 || digit == 3) set_dimensions(Values(given.begin(), middle), problem);
+  if (digit >= 2)
+    pair.rail_deviations = taken(problem.units, Values(middle, given.end()), {1, 1, 0, 1, 1, 0});
+}
+
+/// The first values of an array.
+template <std::size_t n>
+void take(const Values& given, const std::vector<int>& powers, const Problem& problem,
+          std::array<double, n>& to) {
+  const Values v = taken(problem.units, given, powers);
+  std::copy(v.begin(), v.end(), to.begin());
 }
 
 void set_wheelset(int digit, const Values& given, Problem& problem) {
-  if (digit != 3 && digit != 5) return;
-  const Values v = taken(problem.units, given, {1, 1, 1});
-  std::copy(v.begin(), v.end(), problem.given.wheel_rail.wheelset.begin());
+  if (digit == 3 || digit == 5) take(given, {1, 1, 1}, problem, problem.given.wheel_rail.wheelset);
 }
 
 void set_position(int digit, const Values& given, Problem& problem) {
-  if (digit <= 0) return;
-  const Values v = taken(problem.units, given, {1, 1, 1, 0, 0, 0});
-  std::copy(v.begin(), v.end(), problem.given.wheel_rail.position.begin());
+  if (digit > 0) take(given, {1, 1, 1, 0, 0, 0}, problem, problem.given.wheel_rail.position);
 }
 
 /// The last is VPITCH, or FX or MY where F = 1 or 2.
 void set_velocity(int digit, const Values& given, Problem& problem) {
-  if (digit <= 1) return;
-  const convert::Digits& digits = problem.given.digits;
-  const Values v =
-      taken(problem.units, given, {digits.config >= 4 ? 0 : 1, 1, 1, 0, 0, digits.F == 2 ? 1 : 0});
-  std::copy(v.begin(), v.end(), problem.given.wheel_rail.velocity.begin());
+  const auto& [config, F] = std::pair(problem.given.digits.config, problem.given.digits.F);
+  if (digit > 1)
+    take(given, {config >= 4 ? 0 : 1, 1, 1, 0, 0, F == 2 ? 1 : 0}, problem,
+         problem.given.wheel_rail.velocity);
 }
 
 void set_flexibility(int digit, const Values& given, Problem& problem) {
@@ -82,7 +81,7 @@ void set_flexibility(int digit, const Values& given, Problem& problem) {
 }
 
 /// Whether the parameters or the ending of the file say that this is a wheel.
-bool is_wheel(const int* iparam, int nints, const std::string& name) {
+bool is_wheel(Int iparam, int nints, const std::string& name) {
   if (nints > 0 && (iparam[0] == 0 || iparam[0] == 1)) return iparam[0] == 1;
   std::string ending = std::filesystem::path(name).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -94,8 +93,8 @@ bool is_wheel(const int* iparam, int nints, const std::string& name) {
   throw Refusal(err_profil, name + ": neither ITYPE nor the ending tells wheel from rail");
 }
 
-void set_profile(const std::string& name, const std::string& text, bool wheel, const int* iparam,
-                 int nints, const double* rparam, int nreals, Problem& problem) {
+void set_profile(const std::string& name, const std::string& text, bool wheel, Int iparam,
+                 int nints, Real rparam, int nreals, Problem& problem) {
   convert::ProfileFile profile;
   profile.name = name;
   if (nints > 2) profile.mirror_y = iparam[2];
@@ -147,8 +146,7 @@ void read_input(const std::string& file, Problem& problem) {
 
 extern "C" {
 
-void cntc_readinpfile(const int* ire, const int* inp_type, const char* fname, const int* len_fname,
-                      int* ierror) {
+void cntc_readinpfile(Int ire, Int inp_type, const char* fname, Int len_fname, int* ierror) {
   guarded("cntc_readinpfile", {ire, inp_type, fname, len_fname}, ierror, [&] {
     constexpr int of_module_1 = 1988;
     if (*inp_type != of_module_1 && *inp_type != 1 && *inp_type != 3)
@@ -171,31 +169,28 @@ ADDON_PAIR_VALUES(cntc_setwheelsetposition, set_position)
 ADDON_PAIR_VALUES(cntc_setwheelsetvelocity, set_velocity)
 ADDON_PAIR_VALUES(cntc_setwheelsetflexibility, set_flexibility)
 
-void cntc_setverticalforce(const int* ire, const double* fz) {
+void cntc_setverticalforce(Int ire, Real fz) {
   constexpr int one = 1;
   set_pair_values(
       "cntc_setverticalforce", ire, &one, &one, fz,
       [](int, const Values& v, Problem& p) { p.normal_force = v[0], p.given.digits.N = 1; });
 }
 
-void cntc_setprofileinputfname(const int* ire, const char* fname, const int* len_fname,
-                               const int* nints, const int* iparam, const int* nreals,
-                               const double* rparam) {
-  guarded("cntc_setprofileinputfname", {ire, fname, len_fname, nints, nreals}, nullptr, [&] {
+void cntc_setprofileinputfname(Int ire, const char* fname, Int len_fname, Int nints, Int iparam,
+                               Int nreals, Real rparam) {
+  guarded("cntc_setprofileinputfname", {ire, fname, len_fname, nints, nreals}, [&] {
     for_pair(*ire, [&](Problem& problem) {
       demand_arrays(nints, iparam, nreals, rparam);
       const std::string name = text_of(fname, *len_fname);
       set_profile(Library::here().path_of(name), "", is_wheel(iparam, *nints, name), iparam, *nints,
                   rparam, *nreals, problem);
     });
-    return 0;
   });
 }
 
-void cntc_setprofileinputvalues(const int* ire, const int* npoint, const double* values,
-                                const int* nints, const int* iparam, const int* nreals,
-                                const double* rparam) {
-  guarded("cntc_setprofileinputvalues", {ire, npoint, values, nints, nreals}, nullptr, [&] {
+void cntc_setprofileinputvalues(Int ire, Int npoint, Real values, Int nints, Int iparam, Int nreals,
+                                Real rparam) {
+  guarded("cntc_setprofileinputvalues", {ire, npoint, values, nints, nreals}, [&] {
     for_pair(*ire, [&](Problem& problem) {
       demand_arrays(nints, iparam, nreals, rparam);
       if (*npoint < 3 || *npoint > 1'000'000)
@@ -206,7 +201,6 @@ void cntc_setprofileinputvalues(const int* ire, const int* npoint, const double*
       set_profile("values.txt", text, is_wheel(iparam, *nints, ""), iparam, *nints, rparam, *nreals,
                   problem);
     });
-    return 0;
   });
 }
 

@@ -144,6 +144,12 @@ SectionWithKeys plasticity_section(const std::string& name, Body Case::*body) {
            symbol("gamma"), zero_or(smallest, largest), otherwise("0 (Prager)"),
            "Dynamic recovery of each back stress, or one for all (Armstrong and Frederick; "
            "Chaboche); it saturates at hardening/recovery; 0: linear (Prager).");
+  keys.add("hot_temperature", &Steel::hot_temperature, unit("degC"), between(-273.0, 1500.0),
+           otherwise("the steel does not soften"),
+           "Temperature from which the steel has its `hot_yield_stress`; linear below, from that "
+           "before contact (docs/plasticity.md).");
+  keys.add("hot_yield_stress", &Steel::hot_yield_stress, unit("MPa"), positive(),
+           otherwise("the steel does not soften"), "Yield stress in tension of hot steel.");
   for (const HardeningLaw& law : hardening_laws())
     for (const HardeningLaw::Constant& own : law.constants)
       keys.add(own.key, own.member, silent_default, otherwise("0"), symbol(own.symbol),
@@ -166,8 +172,9 @@ SectionWithKeys heat_section(const std::string& name, Body Case::*body) {
            between(1e-3, 1e4), "Heat conductivity.");
   keys.add("heat_capacity", &BodyHeat::capacity, symbol("c"), unit("J/(kg K)"), between(1.0, 1e5),
            "Heat capacity; the density is that of the body.");
-  keys.add("expansion", &BodyHeat::expansion, symbol("alpha"), unit("1/K"), zero_or(1e-9, 1e-3),
-           "Thermal expansion, for the thermal stress of `rollfem stress`.");
+  keys.add(
+      "expansion", &BodyHeat::expansion, symbol("alpha"), unit("1/K"), zero_or(1e-9, 1e-3),
+      "Thermal expansion, for the thermal stress of `rollfem stress` and of steel that yields.");
   keys.add("limit", &BodyHeat::limit, unit("degC"), between(-273.0, 1e4),
            "Surface temperature above which results warn (steel transforms).");
   return keys;
