@@ -36,6 +36,6 @@ def draw(folder, contact, critical, series, speeds, curve):
         for axis, (way, style) in enumerate((("along", "-"), ("across", "--"))):
             right.plot(times, 1e-3 * forces[:, wheel, axis], style, color=("#D55E00", "#0072B2")[wheel], label=f"{name}, {way}")
     right.set(xlabel="time [s]", ylabel="force on the wheel [kN]")
-    right.legend(fontsize="small")
+    right.legend(fontsize="small", ncols=2, loc=(0.36, 0.2))
     figure.tight_layout()
     figure.savefig(folder / "curve.svg", metadata={"Date": None})

@@ -36,7 +36,7 @@ def test_sections_along_the_way_are_drawn_with_their_features(rollfem):
     # The nose's crown begins at y = 8 in all sections and rises with it.
     assert re.search(r" 2 +8\.000, +3\.\d+  -> +8\.000, +2\.", out), out
     assert rollfem.made() == ["out", "out/sections.csv", "out/sections.svg"]
-    says(rollfem.text("out/sections.svg"), "height of the surface, up [mm]; lines: features")
+    says(rollfem.text("out/sections.svg"), "height of the surface, upper 6 mm [mm]; lines: features")
     says(rollfem.done("profile", SECTIONS, "--json").out, '"features": 10')
 
 

@@ -130,7 +130,7 @@ def test_every_patch_is_a_series_with_one_balance(rollfem):
 
 @pytest.mark.parametrize("more, part", [
     (["--vary", "degrees"], "cannot be refined"), (["--vary", "gird"], "did you mean grid? "),
-    (["--vary", "domain"], "no model of this study"), (["--levels", "1"], "allowed: 2 to 8"),
+    (["--vary", "domain"], "no model of this study"), (["--levels", "1"], "allowed: 2 to 8"), (["--reference-seconds", "-1"], "allowed: 0 or more"),
     (["--reference", "best"], "not a reference"), (["--reference", "max_pressure=abc"], "not a number"),
     (["--reference", "traction_coefficient:3=0.1"], "unknown quantity in this case"), (["--model", "nope"], "no such model")])
 def test_refuses(rollfem, more, part):

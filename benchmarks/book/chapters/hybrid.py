@@ -120,14 +120,14 @@ def _figure(bench, record, series):
             for place, (_, note) in zip(places, line):
                 notes.setdefault(tuple(round(math.log10(value), 1) for value in place), (place, []))[1].append(note)
             for place, together in notes.values():
-                axis.annotate(", ".join(together), place, textcoords="offset points", xytext=(7, 0), va="center",
+                axis.annotate(", ".join(together), place, textcoords="offset points", xytext=(4, 4),
                               fontsize="x-small", color=style.GREY)
         axis.axhspan(1e-4, _unsure(record, quantity, scale), color="#eeeeee", zorder=0, label="uncertainty of the limit")
         axis.axhline(asked, color=style.GREY, linewidth=0.8, linestyle=":", label="required")
         axis.set_ylim(5e-3, 5)
         axis.set_xlabel("CPU seconds")
         axis.set_ylabel(words)
-    axes[0].legend(fontsize="small", loc="lower left")
+    axes[0].legend(fontsize="small", ncols=2, loc=(0.01, 0.12))
     figure.tight_layout()
     return bench.save(figure, "hybrid_cost")
 

@@ -78,6 +78,8 @@ class Wishes:
                                  "output.stress_maxima; do: name one of them")
         if self.levels and not 2 <= self.levels <= 8:
             raise InputError(f"--levels {self.levels}: allowed: 2 to 8; do: correct it")
+        if not self.reference_seconds >= 0:
+            raise InputError(f"--reference-seconds {self.reference_seconds}: allowed: 0 or more; do: correct it")
 
     def able(self, scenes: Sequence[_core.Scene]) -> list[str]:
         """The models that take every scene; InputError for one that was named."""
@@ -282,11 +284,11 @@ class Study:
                     setattr(series, said, f"{list_of}{'; ' * bool(list_of)}{level.label}: {why}")
                 if series.levels and work.whole:
                     return series
-        most = max((level.shared for level in series.levels), default=0.0)
-        for level in series.levels:  # from a cold start, each
-            level.seconds += most - level.shared
         if work.whole and len(series.levels) == len(refined):
             self._add_reference(plan, scene, place)
+        solved = [*series.levels, *[series.reference] * bool(series.reference)]
+        for level in solved:  # from a cold start, each
+            level.seconds += solved[0].shared - level.shared
         if not series.levels and series.left_out:
             series.failure, series.left_out = "; ".join(filter(None, (series.failure, series.left_out))), ""
         return series
