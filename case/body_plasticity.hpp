@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct BodyPlasticity {
   double yield_stress = 0.0;  ///< MPa, uniaxial, before plastic flow
   std::array<BackStress, most_back_stresses> back_stresses{};
   double rise = 0.0, rate = 0.0;  ///< constants of HardeningLaw
+  /// degC, and MPa in place of yield_stress from there; linear from the temperature before contact.
+  std::optional<double> hot_temperature, hot_yield_stress;
   /// Residual stress before the first pass, MPa, at depths in mm, ascending: linear between,
   /// constant outside; the same everywhere along and across. Empty: none.
   struct ResidualStress {
@@ -29,8 +32,9 @@ struct BodyPlasticity {
     std::string file{};  ///< that gives them, as named in the case
   } residual;
 
-  /// Uniaxial yield stress after the plastic strain p, MPa.
-  double yield_stress_at(double p) const;
+  /// Uniaxial yield stress after the plastic strain p, MPa. `hot`: from 0 before contact to 1 at
+  /// the hot temperature, which lowers all of it by the same factor.
+  double yield_stress_at(double p, double hot = 0.0) const;
   /// Yield stress in shear, MPa: the k of the shakedown map.
   double shear_yield_stress() const { return yield_stress / 1.7320508075688772; }
 };
@@ -63,10 +67,10 @@ inline const std::vector<HardeningLaw>& hardening_laws() {
   return all;
 }
 
-inline double BodyPlasticity::yield_stress_at(double p) const {
+inline double BodyPlasticity::yield_stress_at(double p, double hot) const {
   double stress = yield_stress;
   for (const HardeningLaw& law : hardening_laws()) stress += law.rise(*this, p);
-  return stress;
+  return stress * (1.0 + hot * (hot_yield_stress.value_or(yield_stress) / yield_stress - 1.0));
 }
 
 }  // namespace rollfem::contact

@@ -7,6 +7,7 @@
 #include "base/grid.hpp"
 #include "case/case.hpp"
 
+#include <cmath>
 #include <optional>
 
 namespace rollfem::contact {
@@ -31,6 +32,10 @@ struct SurfaceHeat {
   }
   /// Of both surfaces together, where they touch.
   double effusivity() const { return wheel.effusivity + rail.effusivity; }
+  /// Depth (mm) to which heat has gone in a body when it has passed this length (mm).
+  double layer(const HeatedBody& body, double length) const {
+    return std::sqrt(body.diffusivity * length / speed);
+  }
   /// Warming (K mm s/N) of a surface of effusivity 1 by a heat flow of 1 N/(mm s) through each of
   /// `count` elements of length dx that it has passed, its own first, to the middle of which heat
   /// flows for half an element (Carslaw and Jaeger 1959, 2.9).

@@ -7,6 +7,7 @@
 #include "halfspace/stress/stress_maxima.hpp"
 #include "modelling/stress/body_sampler.hpp"
 #include "modelling/stress/corrected_stress.hpp"
+#include "result/heat/heat_below.hpp"
 #include "result/stress_extremes.hpp"
 #include "scene/geometry.hpp"
 
@@ -239,6 +240,15 @@ void define_stress(py::module_& module) {
     const contact::HeatedBody& body = wheel ? heat->wheel : heat->rail;
     return py::make_tuple(body.effusivity, body.diffusivity, body.temperature, body.expansion,
                           heat->speed);
+  });
+  // K at places (x, y, depth) below a row of elements [ny, nx] of a body (as heated_body).
+  module.def("rise_below", [](const std::array<double, 5>& body, const Array& x, const Array& y,
+                              double dx, double dy, const Array& surface, const Array& places) {
+    const contact::ContactGrid grid{
+        static_cast<int>(x.size()), static_cast<int>(y.size()), dx, dy, x.at(0), y.at(0)};
+    return contact::HeatBelow(grid, {body[0], body[1], body[3], body[2]}, body[4],
+                              field_of(surface))
+        .rise(rows_of<3>(places));
   });
   py::class_<Loaded>(module, "Loaded")
       .def(py::init(&loaded))

@@ -50,9 +50,12 @@ enum class Action { prepare, respond, complete };
 struct Task {
   Action action = Action::prepare;
   contact::SurfaceField traction;
-  long number = 0;  ///< of the load point that is completed
+  long number = 0;                                         ///< of the load point that is completed
+  contact::Field temperature_wheel{}, temperature_rail{};  ///< of its surfaces
 
-  RootProcess::Command command() const { return contact::record_of(action, traction, number); }
+  RootProcess::Command command() const {
+    return contact::record_of(action, traction, number, temperature_wheel, temperature_rail);
+  }
 };
 
 void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
@@ -212,19 +215,23 @@ class LevelElasticity : public contact::Elasticity, private contact::Compliance 
 
 void SharedLevel::execute(const RootProcess::Command& command) {
   Task task;
-  contact::Record(command).values(task.action, task.traction, task.number);
+  contact::Record(command).values(task.action, task.traction, task.number, task.temperature_wheel,
+                                  task.temperature_rail);
   if (task.action == Action::prepare) make_bodies_and_solvers();
   if (task.action == Action::respond) compliance->respond(task.traction);
   if (task.action != Action::complete) return;
   PointResult point;
   point.fields.traction = std::move(task.traction);
+  point.fields.temperature_wheel = std::move(task.temperature_wheel);
+  point.fields.temperature_rail = std::move(task.temperature_rail);
   add_stresses(*compliance, static_cast<std::size_t>(task.number), point);
 }
 
 void SharedLevel::complete(const FemCompliance& of_point, std::size_t k, PointResult& point) {
   point.error_estimate["approach"] = approach_left_out(scene, point.normal_force, bodies_.reach);
   if (!stresses_->wanted(k) && !yielding_) return;
-  const Task task{Action::complete, point.fields.traction, static_cast<long>(k)};
+  const Task task{Action::complete, point.fields.traction, static_cast<long>(k),
+                  point.fields.temperature_wheel, point.fields.temperature_rail};
   one_at_a_time([&] { root.call(task.command(), [&] { add_stresses(of_point, k, point); }); });
 }
 
@@ -281,8 +288,9 @@ void SharedLevel::make_compliance() {
                                       FemCompliance::Part{bodies_.rail.get(), solvers_[1].get()},
                                       scene.geometry.surface, layout.grid, far_boundary_of(scene));
   if (scene.yields()) {
-    one_at_a_time(
-        [&] { yielding_ = std::make_unique<YieldingBodies>(scene, bodies_.both(), solvers_); });
+    one_at_a_time([&] {
+      yielding_ = std::make_unique<YieldingBodies>(scene, bodies_.both(), solvers_, layout.grid);
+    });
     yielding_->recall(last_pass_);
     let_yield(*compliance);
   }
@@ -447,7 +455,11 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
              [&](const RootProcess::Command& command) { shared.execute(command); });
   }
   contact::place_pass_work(geometry, scene.place, result);
-  contact::tell_of_heat(scene, result);
+  const auto yields_cold = [&](bool is_wheel) {
+    const BodyOptions own = options_of(scene, is_wheel, layout.bodies);
+    return own.yields && !resolves_heat(scene, is_wheel, own);
+  };
+  contact::tell_of_heat(scene, result, {yields_cold(true), yields_cold(false)});
   return result;
 }
 

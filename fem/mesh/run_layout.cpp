@@ -244,6 +244,15 @@ double chosen_row(const Scene& scene, const contact::BodyPlasticity& steel, doub
   return height;
 }
 
+/// Height of a first row, mm, whose first material points, a fifth of it deep, have the temperature
+/// of the surface within a tenth: the heated layer is sqrt(kappa 2a/V). Infinite without heat.
+double row_of_heat(const Scene& scene, bool is_wheel) {
+  if (!scene.heat) return contact::infinity;
+  return scene.heat->layer(is_wheel ? scene.heat->wheel : scene.heat->rail,
+                           2.0 * expected_box(scene).half_length) /
+         3.0;
+}
+
 /// Rows of fine cells and of streamlines that may yield down to this depth, mm.
 void set_depths(double depth, BodyOptions& options) {
   const double h = options.cell_size;
@@ -301,9 +310,16 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
   options.fine_half_width = extended(options.fine_half_width, options.plastic_half_width);
   set_depths(extent[2] * depth, options);
   const double first = options_of(scene).surface_layer.value_or(
-      chosen_row(scene, *body.plasticity, body.material.young_modulus, patch));
+      std::min(chosen_row(scene, *body.plasticity, body.material.young_modulus, patch),
+               row_of_heat(scene, is_wheel)));
   if (first > 0.0 && first < h) options = with_thin_rows(first, extent[2] * depth, options);
   return options;
+}
+
+bool resolves_heat(const Scene& scene, bool is_wheel, const BodyOptions& own) {
+  constexpr double rounding = 1e-6;
+  return scene.heat &&
+         own.rows.depth(own.cell_size) <= (1.0 + rounding) * row_of_heat(scene, is_wheel);
 }
 
 }  // namespace rollfem::fem

@@ -30,4 +30,8 @@ RunLayout run_layout(const contact::Scene& scene, double cell);
 /// as deep as the stress below the middle of the patch exceeds the yield stress.
 BodyOptions options_of(const contact::Scene& scene, bool is_wheel, const BodyOptions& both);
 
+/// Whether a body is heated, and its first row (BodyOptions of its own) at most a third of the
+/// heated layer.
+bool resolves_heat(const contact::Scene& scene, bool is_wheel, const BodyOptions& own);
+
 }  // namespace rollfem::fem

@@ -29,22 +29,25 @@ Deviator PlasticLaw::relative_stress(const PlasticState& state, const Deviator& 
   return s;
 }
 
-double PlasticLaw::utilisation(const PlasticState& state, const Deviator& strain) const {
+double PlasticLaw::utilisation(const PlasticState& state, const Deviator& strain,
+                               double hot) const {
   return root_of_3_2 * norm(relative_stress(state, strain)) /
-         parameters_.yield_stress_at(state.accumulated);
+         parameters_.yield_stress_at(state.accumulated, hot);
 }
 
-void PlasticLaw::advance(PlasticState& state, const Deviator& from, const Deviator& to,
-                         int steps) const {
+void PlasticLaw::advance(PlasticState& state, const Deviator& from, const Deviator& to, int steps,
+                         const std::array<double, 2>& hot) const {
   const Deviator path = sum(to, -1.0, from);
-  for (int k = 1; k < steps; ++k) step(state, sum(from, static_cast<double>(k) / steps, path));
-  step(state, to);
+  for (int k = 1; k <= steps; ++k) {
+    const double part = static_cast<double>(k) / steps;
+    step(state, k == steps ? to : sum(from, part, path), hot[0] + part * (hot[1] - hot[0]));
+  }
 }
 
-void PlasticLaw::step(PlasticState& state, const Deviator& strain) const {
+void PlasticLaw::step(PlasticState& state, const Deviator& strain, double hot) const {
   // The elastic range is left by more than rounding only.
   constexpr double rounding = 1e-14;
-  if (utilisation(state, strain) <= 1.0 + rounding) return;
+  if (utilisation(state, strain, hot) <= 1.0 + rounding) return;
   const auto& laws = parameters_.back_stresses;
   const Deviator trial = stress(state, strain);
   // With theta_k = 1/(1 + recovery_k dp) the relative stress is parallel to
@@ -60,8 +63,8 @@ void PlasticLaw::step(PlasticState& state, const Deviator& strain) const {
       direction = sum(direction, -theta, state.back[k]);
       stiffness += theta * laws[k].modulus;
     }
-    return root_of_3_2 * norm(direction) - parameters_.yield_stress_at(state.accumulated + dp) -
-           stiffness * dp;
+    return root_of_3_2 * norm(direction) -
+           parameters_.yield_stress_at(state.accumulated + dp, hot) - stiffness * dp;
   };
   // The elastic strain alone bounds dp from above, unless the yield stress falls.
   const double at_rest = excess(0.0);

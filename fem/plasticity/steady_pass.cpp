@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -57,10 +58,11 @@ class Patience {
 class Flow {
  public:
   Flow(const Streamlines& streamlines, const PlasticLaw& law, const std::vector<Deviator>& elastic,
-       const YieldedBody& before, int steps)
+       const std::vector<double>& hot, const YieldedBody& before, int steps)
       : streamlines_(streamlines),
         law_(law),
         elastic_(elastic),
+        hot_(hot),
         entering_(before.leaving),
         from_(before.strain),
         steps_(steps),
@@ -82,15 +84,17 @@ class Flow {
       double& work = work_[path] = 0.0;
       double& most = utilisation_[path] = 0.0;
       Deviator before = pressed ? from_[path] : Deviator{};
+      std::array<double, 2> hot{};  // before and at the point
       for (std::size_t i = 0; i < stations_; ++i) {
         const std::size_t k = path * stations_ + i;
         const Deviator& total = strain[k] = sum(elastic_[k], 1.0, strain[k]);
         const Deviator strain_before = state.strain;
-        law_.advance(state, before, total, i == 0 && !pressed ? 1 : steps_);
+        if (!hot_.empty()) hot = {hot[1], hot_[k]};
+        law_.advance(state, before, total, i == 0 && !pressed ? 1 : steps_, hot);
         before = total;
         work += streamlines_.volume(k) *
                 product(law_.stress(state, total), sum(state.strain, -1.0, strain_before));
-        most = std::max(most, law_.utilisation(state, total));
+        most = std::max(most, law_.utilisation(state, total, hot[1]));
         plastic[k] = state.strain;
         accumulated[k] = state.accumulated;
       }
@@ -116,6 +120,7 @@ class Flow {
   const Streamlines& streamlines_;
   const PlasticLaw& law_;
   const std::vector<Deviator>& elastic_;
+  const std::vector<double>& hot_;
   const std::vector<PlasticState>& entering_;
   const std::vector<Deviator>& from_;  ///< empty: the load rolls
   int steps_;
@@ -189,8 +194,8 @@ PassSolver::PassSolver(const Streamlines& streamlines, const LinearSolver& solve
 
 PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law, PassSolver& solver,
                        const std::vector<Deviator>& elastic, const PassAccuracy& accuracy,
-                       YieldedBody& yielded) {
-  Flow flow(streamlines, law, elastic, yielded, accuracy.steps);
+                       YieldedBody& yielded, const std::vector<double>& hot) {
+  Flow flow(streamlines, law, elastic, hot, yielded, accuracy.steps);
   PlasticResponse response(solver, yielded);
   Patience patience;
   PassReport report;

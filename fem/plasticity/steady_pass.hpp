@@ -65,11 +65,12 @@ struct PassSolver {
   contact::Anderson steps;
 };
 
-/// `elastic`: deviatoric strain at the points under the load alone. Replaces `yielded` by its state
+/// `elastic`: deviatoric strain at the points under the load alone; `hot`: their temperature, see
+/// BodyPlasticity::yield_stress_at; empty: as before contact. Replaces `yielded` by its state
 /// after one more pass, or one more step if it is pressed. Throws contact::SolveError when the
 /// iteration does not converge, and leaves `yielded` as it was. Collective.
 PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law, PassSolver& solver,
                        const std::vector<Deviator>& elastic, const PassAccuracy& accuracy,
-                       YieldedBody& yielded);
+                       YieldedBody& yielded, const std::vector<double>& hot = {});
 
 }  // namespace rollfem::fem

@@ -4,9 +4,11 @@
 #include "base/errors.hpp"
 #include "contact/iteration/anderson.hpp"
 #include "fem/discretisation/elastic_problem.hpp"
+#include "fem/mesh/run_layout.hpp"
 #include "fem/plasticity/pass_results.hpp"
 #include "fem/plasticity/steady_pass.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "result/heat/heat_below.hpp"
 
 #include <fmt/format.h>
 
@@ -103,19 +105,21 @@ double relative_change(const std::vector<Deviator>& a, const std::vector<Deviato
 
 class YieldingBody {
  public:
-  YieldingBody(const contact::BodyPlasticity& steel, const FemOptions& options, bool pressed,
-               const Body& body, const LinearSolver& solver)
+  YieldingBody(const contact::Scene& scene, const contact::BodyPlasticity& steel, const Body& body,
+               const LinearSolver& solver)
       : body_(body),
+        heat_(resolves_heat(scene, body.shape().is_wheel, body.options()) ? scene.heat
+                                                                          : std::nullopt),
         law_(steel, lame_mu(body.material())),
         streamlines_(body, lattice_of(body.options())),
         solver_(streamlines_, solver),
-        results_(body, law_, streamlines_, options.cycle, pressed),
-        extrapolates_(options.limit_state),
+        results_(body, law_, streamlines_, options_of(scene).cycle, scene.is_history()),
+        extrapolates_(options_of(scene).limit_state),
         before_(before_first_pass(streamlines_, body)),
         now_(before_) {
     for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream)
       initial_.push_back(initial_strain(law_, streamlines_.section(stream)[1]));
-    if (!pressed) return;
+    if (!scene.is_history()) return;
     // Without load the contact is judged on the whole grid.
     solver_.in_part.reset();
     now_ = before_ = before_first_step(
@@ -125,6 +129,7 @@ class YieldingBody {
   /// Solves the pass in question anew, from its last solution.
   PassReport pass(const Vector& elastic, bool counts) {
     std::vector<Deviator> strain = with_initial(streamlines_.strains(elastic));
+    const std::vector<double> hot = heat(strain);
     YieldedBody next = now_;
     next.leaving = before_.leaving;
     next.strain = before_.strain;
@@ -134,10 +139,29 @@ class YieldingBody {
     accuracy.residual = counts ? tight_residual
                                : std::clamp(part_of_change * relative_change(strain, last_strain_),
                                             loose_residual, loosest_residual);
-    const PassReport report = steady_pass(streamlines_, law_, solver_, strain, accuracy, next);
+    const PassReport report = steady_pass(streamlines_, law_, solver_, strain, accuracy, next, hot);
     now_ = std::move(next);
     last_strain_ = std::move(strain);
     return report;
+  }
+
+  /// Gives the material points the temperature that these elements of the surface have, degC.
+  void warm(const contact::ContactGrid& grid, const contact::Field& surface) {
+    if (!heat_ || surface.size() == 0) return;
+    std::vector<std::array<double, 3>> places;
+    for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream) {
+      const auto [t, depth] = streamlines_.section(stream);
+      const auto down = body_.shape().place(0.0, t, depth) - body_.shape().place(0.0, t, 0.0);
+      const double below = std::abs(body_.shape().frame(0.0, t)[2] * down);
+      for (std::size_t station = 0; station < streamlines_.stations(); ++station) {
+        const auto place = body_.shape().place(streamlines_.s(station), t, 0.0);
+        places.push_back({place[0], place[1], below});
+      }
+    }
+    rise_ = contact::HeatBelow(grid, heated(), heat_->speed, surface).rise(places);
+    // Steel cools down before the next pass: at once, before the section that results show.
+    for (std::size_t k = 0; k < rise_.size(); ++k)
+      if (k % streamlines_.stations() + 1 >= streamlines_.section_station()) rise_[k] = 0.0;
   }
 
   /// `traction`: the largest one along rolling, MPa, which is xz at the surface.
@@ -159,7 +183,7 @@ class YieldingBody {
   void exchange(contact::Record& record) {
     results_.exchange(record);
     limit_.exchange(record);
-    record.values(before_.leaving, before_.strain);
+    record.values(before_.leaving, before_.strain, rise_);
     for (Vector* vector : {&before_.displacement, &before_.load}) {
       std::vector<double> numbers(vector->begin(), vector->end());
       record.values(numbers);
@@ -175,6 +199,34 @@ class YieldingBody {
   const YieldedFields& fields() const { return results_.fields(); }
 
  private:
+  const contact::HeatedBody& heated() const {
+    return body_.shape().is_wheel ? heat_->wheel : heat_->rail;
+  }
+  /// Adds the elastic strain of the thermal stress: the material around the heated layer, which is
+  /// thin, holds it along and across, and nothing normal to the surface. Returns how hot the points
+  /// are (PlasticLaw::advance).
+  std::vector<double> heat(std::vector<Deviator>& strain) const {
+    if (rise_.empty()) return {};
+    const double nu = body_.material().poisson_ratio;
+    const double per_kelvin = heated().expansion * (1.0 + nu) / (1.0 - nu);
+    const double to_hot =
+        law_.parameters().hot_temperature.value_or(contact::infinity) - heated().temperature;
+    std::vector<double> hot;
+    for (std::size_t k = 0; k < strain.size(); ++k) {
+      const std::size_t stream = k / streamlines_.stations();
+      const auto n = body_.shape().frame(0.0, streamlines_.section(stream)[0])[2];
+      const Deviator held{n[0] * n[0] - 1.0 / 3.0,
+                          n[1] * n[1] - 1.0 / 3.0,
+                          n[2] * n[2] - 1.0 / 3.0,
+                          n[0] * n[1],
+                          n[1] * n[2],
+                          n[0] * n[2]};
+      strain[k] = sum(strain[k], per_kelvin * rise_[k], held);
+      hot.push_back(std::clamp(rise_[k] / to_hot, 0.0, 1.0));
+    }
+    return hot;
+  }
+
   /// With the strain of the residual stress before.
   std::vector<Deviator> with_initial(std::vector<Deviator> strain) const {
     for (std::size_t k = 0; k < strain.size(); ++k)
@@ -238,6 +290,7 @@ class YieldingBody {
   }
 
   const Body& body_;
+  std::optional<contact::SurfaceHeat> heat_;  ///< none: the steel is as before contact
   PlasticLaw law_;
   Streamlines streamlines_;
   PassSolver solver_;
@@ -246,17 +299,17 @@ class YieldingBody {
   LimitState limit_;
   std::vector<Deviator> last_strain_;  ///< under the last load
   std::vector<Deviator> initial_;  ///< strain of the residual stress before, of every streamline
+  std::vector<double> rise_;       ///< K, of the last pass that ended, at all points; or empty
   YieldedBody before_, now_;
 };
 
 YieldingBodies::YieldingBodies(const contact::Scene& scene, const BodyPair& bodies,
-                               const Solvers& solvers)
-    : elastic_pressure_(halfspace::PatchSearch(scene).patch().max_pressure) {
+                               const Solvers& solvers, const contact::ContactGrid& grid)
+    : grid_(grid), elastic_pressure_(halfspace::PatchSearch(scene).patch().max_pressure) {
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& steel = (k == 0 ? scene.wheel : scene.rail).plasticity;
     if (steel && bodies[k] != nullptr)
-      parts_[k] = std::make_unique<YieldingBody>(*steel, options_of(scene), scene.is_history(),
-                                                 *bodies[k], *solvers[k]);
+      parts_[k] = std::make_unique<YieldingBody>(scene, *steel, *bodies[k], *solvers[k]);
   }
 }
 
@@ -278,6 +331,7 @@ void YieldingBodies::finish_pass(const std::vector<Vector>& elastic, contact::Po
   const double traction = along.size() == 0 ? 0.0 : along.cwiseAbs().maxCoeff();
   for (std::size_t k = 0; k < 2; ++k) {
     if (!parts_[k]) continue;
+    parts_[k]->warm(grid_, k == 0 ? point.fields.temperature_wheel : point.fields.temperature_rail);
     contact::YieldedSection& section =
         point.yielded.emplace_back(parts_[k]->finish(elastic[k], traction));
     if (point.max_pressure > 0.0)

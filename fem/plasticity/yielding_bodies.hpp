@@ -51,11 +51,12 @@ class YieldingBodies {
  public:
   /// Bodies of a scene that yields; streamlines may yield in the fine region of the mesh. All
   /// arguments must outlive this object. Collective, as all members are.
-  YieldingBodies(const contact::Scene& scene, const BodyPair& bodies, const Solvers& solvers);
+  YieldingBodies(const contact::Scene& scene, const BodyPair& bodies, const Solvers& solvers,
+                 const contact::ContactGrid& grid);
   ~YieldingBodies();
   /// Displacements by plastic strain of wheel and rail, mm, with ghost values, in a pass with these
   /// elastic displacements; empty for a body that stays elastic. The pass does not count until it
-  /// is finished. Throws contact::SolveError.
+  /// is finished. It has the temperatures of the pass before. Throws contact::SolveError.
   std::vector<Vector> respond(const std::vector<Vector>& elastic);
   /// Ends the pass under these elastic displacements: fills the results of the point and keeps the
   /// state for the next pass. Throws YieldsBeyondStreamlines.
@@ -70,6 +71,7 @@ class YieldingBodies {
   const YieldedFields* fields(std::size_t body) const;
 
  private:
+  const contact::ContactGrid& grid_;
   double elastic_pressure_;                             ///< p0 of elastic bodies, MPa
   std::array<std::unique_ptr<YieldingBody>, 2> parts_;  ///< wheel, rail; null: elastic
 };

@@ -121,39 +121,42 @@ namespace {
 
 /// The largest thermal stress at a surface in contact that stresses of the result leave out: the
 /// material around a thin layer holds it, E alpha (T - T_0)/(1 - nu) along and across.
-void note_thermal_stress(const Scene& scene, ModelResult& result) {
+void note_thermal_stress(const Scene& scene, const std::array<bool, 2>& yields_cold,
+                         ModelResult& result) {
   double largest = 0.0, depth = 0.0;
-  std::string body;
+  std::string body, what;
   for (const PointResult& point : result.points) {
-    if (point.stress_maxima.empty() && point.subsurface.empty() && point.yielded.empty() &&
-        point.bodies.empty())
-      continue;
-    for (const auto& [name, heat, material] :
-         {std::tuple("wheel", &scene.heat->wheel, &scene.wheel.material),
-          {"rail", &scene.heat->rail, &scene.rail.material}}) {
+    const bool stresses =
+        !point.stress_maxima.empty() || !point.subsurface.empty() || !point.bodies.empty();
+    for (const auto& [name, cold, heat, material] :
+         {std::tuple("wheel", yields_cold[0], &scene.heat->wheel, &scene.wheel.material),
+          {"rail", yields_cold[1], &scene.heat->rail, &scene.rail.material}}) {
+      if (!stresses && !cold) continue;
       const double rise = point.max_temperature.value_or(heat->temperature) - heat->temperature;
       const double stress =
           material->young_modulus * heat->expansion * rise / (1.0 - material->poisson_ratio);
       if (material->rigid() || stress <= largest) continue;
       largest = stress;
-      depth = std::sqrt(heat->diffusivity * point.contact_length / scene.heat->speed);
+      depth = scene.heat->layer(*heat, point.contact_length);
       body = name;
+      what = !cold      ? "stresses leave"
+             : stresses ? "stresses and yielding leave"
+                        : "yielding leaves";
     }
   }
   if (largest > 0.0)
     add_note(
         result.notes, "thermal_stress",
-        "stresses and yielding leave out thermal strain: up to {:.0f} MPa of compression along "
-        "and across the surface of the {}, in a layer of {:.2g} mm; rollfem stress adds it "
-        "(docs/heat.md)",
-        largest, body, depth);
+        "{} out thermal strain: up to {:.0f} MPa of compression along and across the surface of "
+        "the {}, in a layer of {:.2g} mm; rollfem stress adds it to stresses (docs/heat.md)",
+        what, largest, body, depth);
 }
 
 }  // namespace
 
-void tell_of_heat(const Scene& scene, ModelResult& result) {
+void tell_of_heat(const Scene& scene, ModelResult& result, const std::array<bool, 2>& yields_cold) {
   if (!scene.heat) return;
-  note_thermal_stress(scene, result);
+  note_thermal_stress(scene, yields_cold, result);
   const double limit = std::min(scene.heat->wheel.limit, scene.heat->rail.limit);
   double hottest = 0.0;
   std::size_t above = 0;

@@ -5,6 +5,7 @@
 
 #include "result/result.hpp"
 
+#include <array>
 #include <vector>
 
 namespace rollfem::contact {
@@ -35,7 +36,9 @@ Field left_temperature(const ContactGrid& grid, const SurfaceHeat& heat, double 
                        const HeatPast& past);
 
 /// Where bodies have heat: warns of load points with surfaces above their limits, and notes the
-/// thermal stress that the stresses of the result leave out.
-void tell_of_heat(const Scene& scene, ModelResult& result);
+/// thermal stress that the stresses of the result leave out, and the yielding of wheel or rail
+/// (`yields_cold`).
+void tell_of_heat(const Scene& scene, ModelResult& result,
+                  const std::array<bool, 2>& yields_cold = {});
 
 }  // namespace rollfem::contact

@@ -37,7 +37,13 @@ class Below(unittest.TestCase):
             exact = np.sum(there * np.exp(-depth**2 / (4 * DIFFUSIVITY * s**2))) * 2 * (s[1] - s[0]) / np.sqrt(np.pi) / EFFUSIVITY
             found = body.rise(np.array([[grid.x[i], 0.0, -depth]]))[0]
             self.assertAlmostEqual(found / exact, 1.0, delta=1e-4 if exact > 1 else 1e-2)
-        # Beyond the grid nothing is known, and between elements it is linear.
+        # Behind the grid it goes on, as the material that has passed it cools down; ahead it is cold, and between elements it is linear.
+        for depth in (0.0, 0.1):
+            since = (5 - -6.0) / SPEED
+            t = since - 10 / SPEED * (np.arange(200000) + 0.5) / 200000  # since the flow
+            there = 1e5 * (1 + (SPEED * t - 6) / 10)
+            exact = np.sum(there * np.exp(-depth**2 / (4 * DIFFUSIVITY * t)) / np.sqrt(t)) * 10 / SPEED / 200000 / np.sqrt(np.pi) / EFFUSIVITY
+            self.assertAlmostEqual(body.rise(np.array([[-6.0, 0.0, depth]]))[0] / exact, 1.0, delta=2e-3)
         self.assertEqual(body.rise(np.array([[7.0, 0.0, 0.0]]))[0], 0.0)
         both = body.rise(np.array([[grid.x[i] + share * dx, 0.0, -0.01] for share in (0.0, 0.5, 1.0)]))
         self.assertAlmostEqual(both[1], 0.5 * (both[0] + both[2]), places=6)

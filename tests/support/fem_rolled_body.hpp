@@ -92,7 +92,7 @@ class Passes {
   double next() {
     const auto before = state.leaving;
     solver.steps.restart();
-    report = fem::steady_pass(of.lines, law, solver, elastic, accuracy, state);
+    report = fem::steady_pass(of.lines, law, solver, elastic, accuracy, state, hot);
     double increase = 0.0;
     for (std::size_t k = 0; k < before.size(); ++k)
       increase = std::max(increase, state.leaving[k].accumulated - before[k].accumulated);
@@ -133,6 +133,7 @@ class Passes {
   fem::PassSolver solver;
   double load_factor, friction;
   std::vector<fem::Deviator> elastic;
+  std::vector<double> hot;  ///< fem::steady_pass
   fem::PassAccuracy accuracy;
   fem::YieldedBody state;
   fem::PassReport report;

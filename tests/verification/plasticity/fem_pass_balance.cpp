@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Balances of a pass over steel that yields: residual stress against equilibrium, work of the load
 // against plastic work, wheel against rail.
+#include "result/heat/heat_below.hpp"
+
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
@@ -63,7 +65,120 @@ std::array<double, 2> works(const Passes& passes) {
   return {work, passes.report.plastic_work};
 }
 
+constexpr double expansion = 1.2e-5;
+
+/// Deviatoric strain of a free expansion by 1 that the material around holds along and across: the
+/// stress is -E/(1 - nu) there, and nothing normal to the surface.
+fem::Deviator held(double rise) {
+  const double third = expansion * rise * 1.3 / 0.7 / 3.0;
+  return {-third, -third, 2.0 * third, 0.0, 0.0, 0.0};
+}
+
+/// Largest error over the largest of held() at the points below |x| < 0.8, against the thermal
+/// strain that the elements themselves have: of a heated layer of this depth (half-widths).
+double thin_layer_error(const RolledBody& slab, double layer) {
+  const auto surface = contact::ContactGrid::centred(200, 1, 0.03, 1.0, -2.0);
+  const contact::HeatedBody body{13.3, 0.5 * layer * layer, expansion, 0.0, 700.0};
+  const contact::Field temperature = surface.sample([](double x, double) {
+    return 300.0 * (std::sqrt(std::max(0.0, 1.0 - x)) - std::sqrt(std::max(0.0, -1.0 - x)));
+  });
+  const contact::HeatBelow heat(surface, body, 1.0, temperature);
+  const auto problem = slab.problem();
+  auto load = fem::make_vector(problem.dofs), displacement = load;
+  const fem::SurfaceShape& shape = slab.body->shape();
+  dealii::FEValues<3> values(
+      problem.mapping, problem.dofs.get_fe(), dealii::QGauss<3>(4),
+      dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values);
+  const double three_k = 210e3 / (1.0 - 2.0 * 0.3);
+  const unsigned int size = problem.dofs.get_fe().dofs_per_cell;
+  std::vector<dealii::types::global_dof_index> dofs(size);
+  const dealii::FEValuesExtractors::Vector u(0);
+  for (const auto& cell : problem.dofs.active_cell_iterators()) {
+    values.reinit(cell);
+    cell->get_dof_indices(dofs);
+    dealii::Vector<double> forces(size);
+    for (const unsigned int q : values.quadrature_point_indices()) {
+      const auto place = shape.coordinates(values.quadrature_point(q));
+      const double rise = heat.rise({{place[0], 0.0, place[2]}}).front();
+      for (unsigned int i = 0; i < size; ++i)
+        forces[i] += three_k * expansion * rise * values[u].divergence(i, q) * values.JxW(q);
+    }
+    problem.constraints.distribute_local_to_global(forces, dofs, load);
+  }
+  load.compress(dealii::VectorOperation::add);
+  slab.solver->solve(displacement, load);
+  displacement.update_ghost_values();
+  const std::vector<fem::Deviator> strain = slab.lines.strains(displacement);
+  double largest = 0.0, error = 0.0;
+  for (std::size_t k = 0; k < strain.size(); ++k) {
+    const double s = slab.lines.s(k % slab.lines.stations());
+    if (std::abs(s) > 0.8) continue;
+    const double depth = slab.lines.section(k / slab.lines.stations())[1];
+    const fem::Deviator expected = held(heat.rise({{s, 0.0, depth}}).front());
+    largest = std::max(largest, fem::norm(expected));
+    error = std::max(error, fem::norm(fem::sum(strain[k], -1.0, expected)));
+  }
+  return error / largest;
+}
+
+/// Depth of a heated layer, half-widths.
+constexpr double heated_depth = 0.05;
+
+/// Pass over perfectly plastic steel of this yield stress without load, which warms slowly by this
+/// rise at the surface, none at heated_depth, and cools down.
+Passes heated_pass(const RolledBody& slab, const contact::BodyPlasticity& steel, double rise) {
+  Passes passes(slab, steel, 0.0);
+  for (std::size_t k = 0; k < passes.elastic.size(); ++k) {
+    const double depth = slab.lines.section(k / slab.lines.stations())[1];
+    const double s = slab.lines.s(k % slab.lines.stations());
+    const double there = std::max(0.0, 1.0 - depth / heated_depth) *
+                         std::clamp(std::min((1.9 - s) / 2.8, (s + 3.1) / 2.2), 0.0, 1.0);
+    passes.elastic[k] = held(rise * there);
+    passes.hot.push_back(there);
+  }
+  return passes;
+}
+
 }  // namespace
+
+// What the thermal strain of a pass assumes, against the elements' own thermal
+// stress: 2.9, 5.1, 8.8 and 14 % of the largest for layers of 0.03 to 0.24.
+TEST(PlasticPassBalance, AHeatedLayerIsHeldByTheMaterialAround) {
+  SlabOptions options;
+  options.per_half_width = 12;
+  options.first_row = 0.01;
+  options.deep = 1;
+  const auto slab = rolled_slab(options);
+  const double thin = thin_layer_error(*slab, 0.03), thick = thin_layer_error(*slab, 0.12);
+  EXPECT_LT(thin, 0.035);
+  EXPECT_LT(thick, 0.1);
+  EXPECT_LT(thin, 0.5 * thick);
+}
+
+// Where it is hot, equal stress along and across of -E alpha dT/(1 - nu), at most the yield stress
+// of the temperature; as cold as before, what that lacked is tension, at most the yield stress. The
+// rest grows with the depth that yields over the length on which it warms.
+TEST(PlasticPassBalance, AHeatedLayerThatYieldsIsLeftInTension) {
+  SlabOptions options;
+  options.first_row = 0.005;
+  options.deep = 1;
+  options.behind = 4;
+  const auto slab = rolled_slab(options);
+  for (const auto& [hot_yield, rise, allowed] :
+       {std::tuple(300.0, 120.0, 3.0), {100.0, 100.0, 6.0}, {300.0, 250.0, 15.0}}) {
+    contact::BodyPlasticity steel = plain_steel(300.0 / std::sqrt(3.0));
+    steel.hot_yield_stress = hot_yield;
+    Passes passes = heated_pass(*slab, steel, rise);
+    passes.next();
+    for (const auto& [depth, stress] : residual_below(passes, -3.6, -3.4)) {
+      const double there = std::max(0.0, 1.0 - depth / heated_depth);
+      const double yield = 300.0 + there * (hot_yield - 300.0);
+      const double lacks = 210e3 * expansion * rise * there / 0.7 - yield;
+      for (const double found : stress)
+        EXPECT_NEAR(found, std::clamp(lacks, 0.0, 300.0), allowed) << rise << ' ' << depth;
+    }
+  }
+}
 
 // Behind the load nothing changes along the slab any more: equilibrium with the free surface leaves
 // no stress zz and xz at any depth.

@@ -156,4 +156,84 @@ TEST(FemYieldingContact, OfResidualCompressionYieldsLater) {
   EXPECT_LT(solved(input, cell).points.front().plastic_increment.value(), 0.8 * without);
 }
 
+/// A roller of this steel on an elastic one that slide, or the wheel of it; pressure of elastic
+/// bodies. Heat goes down by 0.24 mm, 0.12 a.
+Case heated_roller(const contact::BodyPlasticity& of, double expansion, bool is_wheel = false,
+                   double lateral = 0.0) {
+  Case input = equal_balls(200.0, pressure, 0.25);
+  input.rolling.creepages.front().lateral = lateral;
+  input.friction_coefficient = 0.3;
+  input.rolling.speed = 1000.0;
+  input.body_extent = 8.0;
+  contact::Body& body = is_wheel ? static_cast<contact::Body&>(input.wheel) : input.rail;
+  body.plasticity = of;
+  body.heat.emplace();
+  body.heat->expansion = expansion;
+  input.options.set<fem::FemOptions>().pass_pressure = fem::PassPressure::elastic;
+  return input;
+}
+
+contact::BodyPlasticity softening_steel() {
+  contact::BodyPlasticity soft = steel(700.0, 20e3);
+  soft.hot_temperature = 250.0;
+  soft.hot_yield_stress = 400.0;
+  return soft;
+}
+
+// Expanding so much that the load adds nothing, at points a fifth of a first row of a third of the
+// layer deep: there the rise is 6 % below that of the surface.
+TEST(FemYieldingContact, HasTheThermalStressOfItsSurface) {
+  constexpr double expansion = 1e-2;
+  for (const bool is_wheel : {false, true}) {
+    const PointResult point =
+        solved(heated_roller(steel(1e9, 0.0), expansion, is_wheel), cell).points.front();
+    const double rise = point.max_temperature.value() - 20.0;
+    EXPECT_GT(rise, 100.0);
+    EXPECT_NEAR(point.yielded.front().utilisation * 1e9 / (210e3 * expansion * rise / 0.7), 0.94,
+                0.015);
+  }
+}
+
+// Where the first row is thicker, the steel is as cold as without heat, and a note says so.
+TEST(FemYieldingContact, YieldsWithHeatWhereCellsResolveIt) {
+  const auto increment = [](const ModelResult& result) {
+    return result.points.front().plastic_increment.value();
+  };
+  Case cold = heated_roller(steel(700.0, 20e3), 0.0),
+       warm = heated_roller(steel(700.0, 20e3), 1.2e-5),
+       hot = heated_roller(softening_steel(), 0.0);
+  const ModelResult warmed = solved(warm, cell);
+  const double without = increment(solved(cold, cell));
+  EXPECT_GT(std::abs(increment(warmed) - without), 0.05 * without);
+  EXPECT_GT(increment(solved(hot, cell)), 1.2 * without);
+  EXPECT_EQ(warmed.note_about("thermal_stress"), nullptr);
+  for (Case* input : {&cold, &hot}) input->options.set<fem::FemOptions>().surface_layer = 0.1;
+  hot.rail.heat->expansion = 1.2e-5;
+  const ModelResult coarse = solved(hot, cell);
+  EXPECT_EQ(increment(coarse), increment(solved(cold, cell)));
+  const contact::Note* note = coarse.note_about("thermal_stress");
+  ASSERT_NE(note, nullptr);
+  const double left_out =
+      210e3 * 1.2e-5 / 0.7 * (coarse.points.front().max_temperature.value() - 20.0);
+  EXPECT_EQ(note->text.find(
+                fmt::format("yielding leaves out thermal strain: up to {:.0f} MPa", left_out)),
+            0U)
+      << note->text;
+}
+
+TEST(FemYieldingContact, WithHeatIsItsMirrorImage) {
+  const auto section = [](double lateral) {
+    return solved(heated_roller(softening_steel(), 1.2e-5, true, lateral), cell)
+        .points.front()
+        .yielded.front();
+  };
+  const contact::YieldedSection left = section(0.05), right = section(-0.05);
+  EXPECT_GT(left.increment, 1e-3);
+  for (std::size_t k = 0; k < left.accumulated.size(); ++k) {
+    const std::size_t across = k % left.across;
+    const std::size_t mirrored = k - across + left.across - 1 - across;
+    EXPECT_NEAR(left.accumulated[k], right.accumulated[mirrored], 1e-3 * left.increment);
+  }
+}
+
 }  // namespace

@@ -280,6 +280,34 @@ TEST(PlasticLaw, ArmstrongAndFredericksBackStressSaturates) {
               allowed);
 }
 
+// Of which what is hot all the way is a steel of the hot yield stress; heated while the strain
+// stays, the stress is the yield stress of the moment, and stays when it cools down.
+TEST(PlasticLaw, HotSteelHasTheYieldStressOfItsTemperature) {
+  contact::BodyPlasticity parameters = steel({{20e3, 0.0}});
+  parameters.hot_yield_stress = 200.0;
+  const fem::PlasticLaw law(parameters, shear_modulus);
+  contact::BodyPlasticity weak = parameters;
+  weak.yield_stress = 200.0;
+  PlasticState hot, weakened;
+  const Deviator strained = scaled(0.01, axial);
+  law.advance(hot, {}, strained, 5, {1.0, 1.0});
+  fem::PlasticLaw(weak, shear_modulus).advance(weakened, {}, strained, 5);
+  EXPECT_NEAR(difference(hot, weakened), 0.0, 1e-15);
+
+  parameters.back_stresses = {};
+  const fem::PlasticLaw perfect(parameters, shear_modulus);
+  const double strain = 450.0 / (3.0 * shear_modulus);
+  PlasticState state;
+  perfect.advance(state, {}, scaled(strain, axial), 3);
+  EXPECT_EQ(state.accumulated, 0.0);
+  EXPECT_NEAR(perfect.utilisation(state, scaled(strain, axial)), 450.0 / 500.0, 1e-12);
+  EXPECT_NEAR(perfect.utilisation(state, scaled(strain, axial), 0.5), 450.0 / 350.0, 1e-12);
+  perfect.advance(state, scaled(strain, axial), scaled(strain, axial), 3, {0.0, 0.5});
+  EXPECT_NEAR(axial_stress(perfect, state, strain), 350.0, 1e-9);
+  perfect.advance(state, scaled(strain, axial), scaled(strain, axial), 3, {0.5, 0.0});
+  EXPECT_NEAR(axial_stress(perfect, state, strain), 350.0, 1e-9);
+}
+
 // |s| = R stays, so that its direction alone moves: with kappa = 2 G size / R and psi the angle
 // from stress to strain, d psi = (1 - kappa cos psi) d angle, from 0 after the straight way out.
 // Hence tan(psi/2) = -w tanh(sqrt(kappa^2 - 1) angle / 2), w^2 = (kappa - 1)/(kappa + 1).
