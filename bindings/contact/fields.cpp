@@ -9,11 +9,6 @@ namespace rollfem::addon {
 
 namespace {
 
-/// Of the bodies in CONTACT's words: 1 is the wheel in module 3, the rail in module 1.
-bool first_is_wheel(const Problem& problem) {
-  return problem.given.module == 3;
-}
-
 contact::Field undeformed_distance(const contact::PointResult& point) {
   const auto& fields = point.fields;
   if (fields.gap.size() == 0 || fields.displacement.n.size() != fields.gap.size()) return {};
@@ -56,44 +51,26 @@ Known field_of(int code, const Problem& problem, const Patch& patch) {
   const auto& f = patch.point.fields;
   const double x = patch.along * problem.units.body, y = patch.across * problem.units.body;
   const bool yields = problem.given.digits.M == 4 && problem.given.bodies.layer[2] > 0.0;
+  const bool wheel_first = problem.given.module == 3;  // else body 1 is the rail
   const contact::Field zero = contact::Field::Zero(patch.grid.size());
-  switch (code) {
-    case fld_h:
-      return {undeformed_distance(patch.point), 1.0, 1};
-    case fld_mu:
-      return {friction_of(patch)};
-    case fld_px:
-      return {f.traction.x.size() > 0 ? f.traction.x : zero, x, -2};
-    case fld_py:
-      return {f.traction.y.size() > 0 ? f.traction.y : zero, y, -2};
-    case fld_pn:
-      return {f.traction.n, 1.0, -2};
-    case fld_ux:
-      return {displacement_of(patch).x, x, 1};
-    case fld_uy:
-      return {displacement_of(patch).y, y, 1};
-    case fld_un:
-      return {f.displacement.n, 1.0, 1};
-    case fld_taucrt:
-      return {yields ? contact::Field() : zero, 1.0, -2};
-    case fld_uplsx:
-    case fld_uplsy:
-      return {yields ? contact::Field() : zero, 1.0, 1};
-    case fld_sx:
-      return {in_contact(f.slip.x, f.traction.n), x};
-    case fld_sy:
-      return {in_contact(f.slip.y, f.traction.n), y};
-    case fld_temp1:
-      return {first_is_wheel(problem) ? f.temperature_wheel : f.temperature_rail};
-    case fld_temp2:
-      return {first_is_wheel(problem) ? f.temperature_rail : f.temperature_wheel};
-    case fld_wx:
-      return {rigid_slip(patch).x, x};
-    case fld_wy:
-      return {rigid_slip(patch).y, y};
-    default:
-      throw Refusal(err_other, fmt::format("there is no field {}", code));
-  }
+  const contact::Field unknown = yields ? contact::Field() : zero;
+  if (code == fld_h) return {undeformed_distance(patch.point), 1.0, 1};
+  if (code == fld_mu) return {friction_of(patch)};
+  if (code == fld_px) return {f.traction.x.size() > 0 ? f.traction.x : zero, x, -2};
+  if (code == fld_py) return {f.traction.y.size() > 0 ? f.traction.y : zero, y, -2};
+  if (code == fld_pn) return {f.traction.n, 1.0, -2};
+  if (code == fld_ux) return {displacement_of(patch).x, x, 1};
+  if (code == fld_uy) return {displacement_of(patch).y, y, 1};
+  if (code == fld_un) return {f.displacement.n, 1.0, 1};
+  if (code == fld_taucrt) return {unknown, 1.0, -2};
+  if (code == fld_uplsx || code == fld_uplsy) return {unknown, 1.0, 1};
+  if (code == fld_sx) return {in_contact(f.slip.x, f.traction.n), x};
+  if (code == fld_sy) return {in_contact(f.slip.y, f.traction.n), y};
+  if (code == fld_temp1) return {wheel_first ? f.temperature_wheel : f.temperature_rail};
+  if (code == fld_temp2) return {wheel_first ? f.temperature_rail : f.temperature_wheel};
+  if (code == fld_wx) return {rigid_slip(patch).x, x};
+  if (code == fld_wy) return {rigid_slip(patch).y, y};
+  throw Refusal(err_other, fmt::format("there is no field {}", code));
 }
 
 }  // namespace

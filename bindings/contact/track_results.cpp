@@ -65,31 +65,24 @@ Values parameters_of(const Problem& problem, const Patch& patch, int task) {
   static_cast<void>(influence);
   static_cast<void>(heat);
   const contact::CombinedMaterial& m = patch.scene->material;
-  switch (task) {
-    case 1:
-      return u.out({given.rolling[2], given.rolling[0], given.rolling[1], 0.0, 0.0, layer[2]},
-                   {1, 0, 1, 0, 0, -2});
-    case 2:
-      return u.out({g[0],         g[1],     m.shear_modulus,
-                    nu[0],        nu[1],    m.poisson_ratio,
-                    m.difference, none,     none,
-                    none,         slope[0], slope[1],
-                    slope[2],     none,     layer[0],
-                    layer[1],     layer[2], layer[3],
-                    0.0,          0.0,      0.0,
-                    0.0},
-                   {-2, -2, -2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -2, 1, -2, -3});
-    case 3: {
-      Values v = u.out({double(given.friction_law), double(given.friction.size()), given.memory[0],
-                        given.memory[1]},
-                       {0, 0, 1});
-      for (const convert::FrictionSet& set : given.friction)
-        v.insert(v.end(), {set.place, set.fstat, set.fkin});
-      return v;
-    }
-    default:
-      throw Refusal(err_other, fmt::format("there is no group {}", task));
+  if (task == 1)
+    return u.out({given.rolling[2], given.rolling[0], given.rolling[1], 0.0, 0.0, layer[2]},
+                 {1, 0, 1, 0, 0, -2});
+  Values v;
+  if (task == 2) {
+    v = {g[0], g[1], m.shear_modulus, nu[0], nu[1], m.poisson_ratio, m.difference};
+    v.insert(v.end(), {none, none, none, slope[0], slope[1], slope[2], none});
+    v.insert(v.end(), layer.begin(), layer.end());
+    v.resize(22, 0.0);
+    return u.out(v, {-2, -2, -2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -2, 1, -2, -3});
   }
+  if (task != 3) throw Refusal(err_other, fmt::format("there is no group {}", task));
+  v = u.out(
+      {double(given.friction_law), double(given.friction.size()), given.memory[0], given.memory[1]},
+      {0, 0, 1});
+  for (const convert::FrictionSet& set : given.friction)
+    v.insert(v.end(), {set.place, set.fstat, set.fkin});
+  return v;
 }
 
 }  // namespace

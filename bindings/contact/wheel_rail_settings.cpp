@@ -93,17 +93,26 @@ bool is_wheel(Int iparam, int nints, const std::string& name) {
   throw Refusal(err_profil, name + ": neither ITYPE nor the ending tells wheel from rail");
 }
 
-void set_profile(const std::string& name, const std::string& text, bool wheel, Int iparam,
-                 int nints, Real rparam, int nreals, Problem& problem) {
-  convert::ProfileFile profile;
-  profile.name = name;
-  if (nints > 2) profile.mirror_y = iparam[2];
-  if (nints > 3) profile.mirror_z = iparam[3];
-  profile.scale = nreals > 0 && rparam[0] > 0.0 ? rparam[0] : problem.units.length;
-  if (nreals > 1) profile.smooth = rparam[1];
-  WheelRail& pair = problem.given.wheel_rail;
-  (wheel ? pair.wheel : pair.rail) = profile;
-  problem.profile_text[wheel ? 1 : 0] = text;
+/// `name_and_text`: one of them is empty.
+void set_profile(const char* function, std::initializer_list<const void*> arguments, Int ire,
+                 Int nints, Int iparam, Int nreals, Real rparam,
+                 const std::function<std::pair<std::string, std::string>()>& name_and_text) {
+  guarded(function, arguments, [&] {
+    for_pair(*ire, [&](Problem& problem) {
+      demand_arrays(nints, iparam, nreals, rparam);
+      const auto [name, text] = name_and_text();
+      const bool wheel = is_wheel(iparam, *nints, name);
+      convert::ProfileFile profile;
+      profile.name = Library::here().path_of(name.empty() ? "values.txt" : name);
+      if (*nints > 2) profile.mirror_y = iparam[2];
+      if (*nints > 3) profile.mirror_z = iparam[3];
+      profile.scale = *nreals > 0 && rparam[0] > 0.0 ? rparam[0] : problem.units.length;
+      if (*nreals > 1) profile.smooth = rparam[1];
+      WheelRail& pair = problem.given.wheel_rail;
+      (wheel ? pair.wheel : pair.rail) = profile;
+      problem.profile_text[wheel ? 1 : 0] = text;
+    });
+  });
 }
 
 /// The last case of an input file: it holds what the cases before have set.
@@ -128,14 +137,11 @@ void read_input(const std::string& file, Problem& problem) {
   if (read.module == 1) problem.normal_force = read.wheel_rail.position[2];
   problem.profile_text = {};
   problem.blocks.clear();
-  const auto back = [&](std::vector<double> values) {
-    for (double& value : values) value = problem.units.out(value);
-    return values;
-  };
+  const auto out = [&](const Values& mm) { return problem.units.out(mm, {1}); };
   for (const convert::StressBlock& block : read.stress_blocks)  // the numbers of elements, or mm
     problem.blocks[static_cast<int>(problem.blocks.size()) + 1] =
-        block.by_element ? Block{7, {block.x, block.y, back(block.z)}}
-                         : Block{9, {back(block.x), back(block.y), back(block.z)}};
+        block.by_element ? Block{7, {block.x, block.y, out(block.z)}}
+                         : Block{9, {out(block.x), out(block.y), out(block.z)}};
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   for (convert::ProfileFile* profile :
        {&problem.given.wheel_rail.rail, &problem.given.wheel_rail.wheel})
@@ -178,30 +184,21 @@ void cntc_setverticalforce(Int ire, Real fz) {
 
 void cntc_setprofileinputfname(Int ire, const char* fname, Int len_fname, Int nints, Int iparam,
                                Int nreals, Real rparam) {
-  guarded("cntc_setprofileinputfname", {ire, fname, len_fname, nints, nreals}, [&] {
-    for_pair(*ire, [&](Problem& problem) {
-      demand_arrays(nints, iparam, nreals, rparam);
-      const std::string name = text_of(fname, *len_fname);
-      set_profile(Library::here().path_of(name), "", is_wheel(iparam, *nints, name), iparam, *nints,
-                  rparam, *nreals, problem);
-    });
-  });
+  set_profile("cntc_setprofileinputfname", {ire, fname, len_fname, nints, nreals}, ire, nints,
+              iparam, nreals, rparam, [&] { return std::pair(text_of(fname, *len_fname), ""); });
 }
 
 void cntc_setprofileinputvalues(Int ire, Int npoint, Real values, Int nints, Int iparam, Int nreals,
                                 Real rparam) {
-  guarded("cntc_setprofileinputvalues", {ire, npoint, values, nints, nreals}, [&] {
-    for_pair(*ire, [&](Problem& problem) {
-      demand_arrays(nints, iparam, nreals, rparam);
-      if (*npoint < 3 || *npoint > 1'000'000)
-        throw Refusal(err_profil, "NPOINT: allowed: 3 to 1000000");
-      std::string text;
-      for (int k = 0; k < *npoint; ++k)
-        text += fmt::format("{:.17g} {:.17g}\n", values[2 * k], values[2 * k + 1]);
-      set_profile("values.txt", text, is_wheel(iparam, *nints, ""), iparam, *nints, rparam, *nreals,
-                  problem);
-    });
-  });
+  set_profile("cntc_setprofileinputvalues", {ire, npoint, values, nints, nreals}, ire, nints,
+              iparam, nreals, rparam, [&] {
+                if (*npoint < 3 || *npoint > 1'000'000)
+                  throw Refusal(err_profil, "NPOINT: allowed: 3 to 1000000");
+                std::string text;
+                for (int k = 0; k < *npoint; ++k)
+                  text += fmt::format("{:.17g} {:.17g}\n", values[2 * k], values[2 * k + 1]);
+                return std::pair(std::string(), text);
+              });
 }
 
 }  // extern "C"
