@@ -33,11 +33,11 @@ const FallShape FallShape::temperature{
     none.left,
     false,
     {{{"cold_temperature", "T_c", -273.0, 1e4, 20.0,
-       "Temperature of the surfaces up to which friction is the coefficient.", "degC"},
+       "Surface temperature up to which friction is the coefficient.", "degC"},
       {"hot_temperature", "T_h", -273.0, 1e4, std::nan(""),
        "Temperature from which friction is the hot_coefficient; linear between.", "degC"},
       {"hot_coefficient", "mu_h", 1e-12, 1000.0, std::nan(""),
-       "Coefficient of friction of hot surfaces; it may be larger than the coefficient."}}},
+       "Coefficient of hot surfaces; may be the larger one."}}},
     true};
 
 std::vector<FallShape>& fall_shapes() {

@@ -41,6 +41,7 @@ struct FemOptions {
   /// The same along, across and down, where steel has yielded at the border.
   std::array<double, 3> plastic_growth{1.0, 1.0, 1.0};
   std::optional<double> surface_layer;  ///< mm, height of the cells at a surface that yields
+  bool thick_rows = false;  ///< memory demanded a thicker surface_layer than the strain needs
 };
 
 inline const FemOptions& options_of(const contact::Scene& scene) {

@@ -32,19 +32,16 @@ void check_line(const contact::GivenCase& given, contact::Case&) {
 void add_halfspace_keys() {
   using contact::SurfaceForm;
   contact::Keys<HalfspaceOptions> keys("halfspace", "Model `halfspace`");
-  keys.add(
-      "surface", &contact::Case::surface,
-      {{"auto", SurfaceForm::automatic},
-       {"planar", SurfaceForm::planar},
-       {"curved", SurfaceForm::curved}},
-      "`planar`: the tangent plane of the contact point; `curved` follows the common surface of "
-      "wheel and rail across rolling, with local normals and rolling radii (steady or frictionless "
-      "rolling of like materials, no subsurface stress). `auto`: planar unless the normals of true "
-      "profiles spread by more than 0.03 rad, fully curved from 0.06 rad on and where contacts in "
-      "planes of their own grow into each other (docs/track.md).");
+  keys.add("surface", &contact::Case::surface,
+           {{"auto", SurfaceForm::automatic},
+            {"planar", SurfaceForm::planar},
+            {"curved", SurfaceForm::curved}},
+           "`planar`: tangent plane; `curved`: common surface across rolling (steady or "
+           "frictionless, like materials, no subsurface stress); `auto`: curved if the normals of "
+           "true profiles spread by 0.03 to 0.06 rad or more (docs/track.md).");
   keys.add("model_error", &HalfspaceOptions::model_error,
-           "Estimate the half-space's model error, per quantity and load point, from the true "
-           "curvature of wheel and rail (some 0.1 s per load point); needs radii or profiles.");
+           "Estimate the half-space's model error from the true curvature of wheel and rail (0.1 s "
+           "per load point).");
   keys.section().position = 0;
   keys.section().complete = check_line;
   contact::add_section(keys);

@@ -3,8 +3,6 @@
 
 #include "result/result.hpp"
 
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -44,19 +42,25 @@ struct Chord {
 /// Largest number of elements of a parabola.
 constexpr int most_for_parabola = 12;
 
-/// The first root, from the edge element outwards, of a parabola through p^2 of the elements
-/// `first` to `first` + count - 1, counted inwards; none where p^2 does not fall towards the edge.
+/// The first root, from the edge element outwards, of the least-squares parabola through p^2 of the
+/// elements `first` to `first` + count - 1, counted inwards; none where p^2 does not fall towards
+/// the edge.
 std::optional<double> root_of_parabola(const Line& inward, int first, int count) {
-  // Fixed size, so that nothing is allocated: two are needed for every row and column.
-  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, most_for_parabola, 3> basis(count, 3);
-  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_for_parabola, 1> values(count);
-  for (int k = 0; k < count; ++k) {
-    const int inwards = first + k;
-    const double t = -static_cast<double>(inwards);
-    basis.row(k) << 1.0, t, t * t;
-    values[k] = inward[static_cast<std::size_t>(inwards)];
+  // By polynomials that are orthogonal on the elements: 1, s and s^2 - spread.
+  const double middle = first + 0.5 * (count - 1), spread = (count * count - 1.0) / 12.0;
+  double mean = 0.0, slope = 0.0, bend = 0.0, slopes = 0.0, bends = 0.0;
+  for (int k = first; k < first + count; ++k) {
+    const double s = middle - k, q = s * s - spread, value = inward[static_cast<std::size_t>(k)];
+    mean += value / count;
+    slope += s * value;
+    bend += q * value;
+    slopes += s * s;
+    bends += q * q;
   }
-  const Eigen::Vector3d c = basis.colPivHouseholderQr().solve(values);
+  slope /= slopes;
+  bend /= bends;
+  const double c[] = {mean + slope * middle + bend * (middle * middle - spread),
+                      slope + 2.0 * bend * middle, bend};
   const double discriminant = c[1] * c[1] - 4.0 * c[0] * c[2];
   if (discriminant < 0.0 || c[1] - 2.0 * c[2] > 0.0) return {};
   const double root = 2.0 * c[0] / (-c[1] + std::sqrt(discriminant));

@@ -169,8 +169,7 @@ namespace {
 
 void add_carter_keys() {
   using contact::between;
-  contact::Keys<CarterOptions> keys("carter",
-                                    "Model `carter`: strips along rolling, each a line contact");
+  contact::Keys<CarterOptions> keys("carter", "Model `carter`");
   keys.add("strips", &CarterOptions::strips, between(8, 2000), "Strips across the patch.");
   keys.section().position = 3;
   contact::add_section(keys);

@@ -162,13 +162,11 @@ Eigen::Vector2d polach_force(const EllipticPatch& patch, const PolachOptions& op
 
 void add_polach_keys() {
   using contact::between, contact::symbol;
-  contact::Keys<PolachOptions> keys("polach",
-                                    "Model `polach`: Polach's closed form of the creep force");
+  contact::Keys<PolachOptions> keys("polach", "Model `polach`");
   keys.add("adhesion_reduction", &PolachOptions::adhesion_reduction, symbol("k_A"),
-           between(1e-6, 1.0),
-           "Reduction of the initial slope in the adhesion area; below 1 where rails are wet.");
+           between(1e-6, 1.0), "Reduction in the adhesion area; below 1 on wet rails.");
   keys.add("slip_reduction", &PolachOptions::slip_reduction, symbol("k_S"), between(1e-6, 1.0),
-           "Reduction in the slip area; Polach has it at most k_A.");
+           "Reduction in the slip area; at most k_A.");
   keys.section().position = 4;
   contact::add_section(keys);
 }

@@ -129,29 +129,27 @@ StripAt strips_with_theory(const EllipticPatch& patch, const contact::Creepage& 
 
 void add_fastsim_keys() {
   using contact::between, contact::symbol;
-  contact::Keys<FastsimOptions> keys(
-      "fastsim",
-      "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse; "
-      "`fastrip` takes strips and elements");
-  keys.add("bound", &FastsimOptions::bound,
-           {{"parabolic", BoundShape::parabolic}, {"elliptic", BoundShape::elliptic}},
-           "Traction bound: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; `elliptic` mu p0 "
-           "sqrt(1 - r^2), Hertz's.");
-  keys.add("flexibilities", &FastsimOptions::flexibilities,
-           {{"three", Flexibilities::three}, {"one", Flexibilities::one}},
-           "Flexibility of the brushes: one for each creepage, or their mean weighted by the "
-           "creepages.");
+  contact::Keys<FastsimOptions> keys("fastsim",
+                                     "Model `fastsim`; `fastrip` takes strips and elements");
+  keys.add(
+      "bound", &FastsimOptions::bound,
+      {{"parabolic", BoundShape::parabolic}, {"elliptic", BoundShape::elliptic}},
+      "Traction bound: `parabolic` 4/3 mu p0 (1 - r^2); `elliptic` mu p0 sqrt(1 - r^2), Hertz's.");
+  keys.add(
+      "flexibilities", &FastsimOptions::flexibilities,
+      {{"three", Flexibilities::three}, {"one", Flexibilities::one}},
+      "Flexibility of the brushes for each creepage, or their mean weighted by the creepages.");
   keys.add("elements", &FastsimOptions::elements,
            {{"chord", FastsimElements::chord}, {"grid", FastsimElements::grid}},
-           "`chord` divides every strip equally; `grid` uses elements of a common grid and "
-           "evaluates the spin a sixth of a step upstream, as CONTACT does (first order).");
+           "`chord` divides every strip equally; `grid` is a common grid with the spin a sixth of "
+           "a step upstream, as in CONTACT (first order).");
   keys.add("strips", &FastsimOptions::strips, between(8, 2000), "Strips across the patch.");
   keys.add("strip_elements", &FastsimOptions::strip_elements, between(4, 2000),
            "Elements along each strip.");
   keys.add("slope_reduction", &FastsimOptions::slope_reduction, symbol("k_0, alpha_inf, beta"),
            between(1e-6, 100.0),
-           "Reduce the brushes' stiffness on surfaces that are not clean (docs/theory.md); all 1: "
-           "Kalker's slope. Not for `fastrip`.");
+           "Softer brushes on contaminated surfaces (docs/theory.md); all 1: Kalker's slope. Not "
+           "for `fastrip`.");
   keys.section().position = 1;
   contact::add_section(keys);
 }

@@ -449,15 +449,14 @@ namespace {
 
 void add_strip_keys() {
   using contact::between, contact::otherwise;
-  contact::Keys<StripOptions> keys(
-      "strip", "Model `strip`: strips along rolling, each with Hertzian pressure and brushes");
+  contact::Keys<StripOptions> keys("strip", "Model `strip`");
   keys.add("strips", &StripOptions::strips, between(16, 2000), "Strips across the patch.");
   keys.add("strip_elements", &StripOptions::strip_elements, between(4, 2000),
            "Elements along each strip.");
   keys.add("virtual_penetration", &StripOptions::virtual_penetration, between(0.3, 1.0),
-           otherwise("from the Hertzian ellipse of equal depth and volume"),
-           "Fraction of the approach by which the undeformed profiles penetrate to define the "
-           "patch; Kik and Piotrowski: 0.55.");
+           otherwise("from the equivalent ellipse"),
+           "Penetration of the undeformed profiles over approach, which defines the patch; Kik and "
+           "Piotrowski: 0.55.");
   keys.section().position = 2;
   contact::add_section(keys);
 }

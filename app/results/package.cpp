@@ -147,12 +147,16 @@ void add_study(CLI::App& program, Call& call) {
                     "elements to four times as many; 3 cell sizes, from four times the case's to "
                     "the case's; 3 domains, from half to twice the case's)");
   study
-      ->add_option("--reference", handed->words["reference"],
-                   "reference of the errors: exact (Hertz), finest, extrapolated, or numbers such "
-                   "as max_pressure=578.967 traction_coefficient:4=0.3722 (with several patches "
-                   "left_1_2.max_pressure=1010); default: exact where an exact "
-                   "value exists, otherwise extrapolated")
+      ->add_option(
+          "--reference", handed->words["reference"],
+          "reference of the errors: exact (Hertz), finest, extrapolated, or numbers such "
+          "as max_pressure=578.967 traction_coefficient:4=0.3722 (with several patches "
+          "left_1_2.max_pressure=1010); default: exact where an exact "
+          "value exists, otherwise extrapolated, or a finer level where the levels show no limit")
       ->delimiter(',');
+  study->add_option("--reference-seconds", handed->value["reference-seconds"],
+                    "solve this finer level only if it is expected to take no longer than this "
+                    "(default: 60; 0: never)");
   add_folder(*study, *handed,
              "folder for the study (default: results/<name of the case file>_study)",
              "continue an interrupted study from the levels kept in FOLDER.unfinished");

@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -281,39 +279,6 @@ std::string row_table(const std::vector<ModelResult>& models, const contact::Cas
   return text;
 }
 
-/// Over a way along the track, the lowest place of each wheel and its dip angle: the steepest fall
-/// before it and rise after it, together; empty where a wheel is lowest at an end.
-std::string dip_lines(const std::vector<ModelResult>& models, const contact::Case& input) {
-  const std::vector<double>& along = input.wheelset.track_position;
-  std::string text;
-  for (const bool left : {true, false}) {
-    std::map<double, double> heights;
-    for (const ModelResult& model : models)
-      if (model.place && model.place->left == left && model.place->patch == 1 &&
-          model.name == models.front().name && !along.empty() && !model.points.empty())
-        if (const auto& height = model.points[result::headline(model)].loaded_height)
-          heights[along[static_cast<std::size_t>(model.place->position) - 1]] = *height;
-    const auto lowest =
-        std::max_element(heights.begin(), heights.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (heights.size() < 3 || lowest == heights.begin() || lowest == std::prev(heights.end()))
-      continue;
-    double fall = 0.0, rise = 0.0;
-    for (auto next = std::next(heights.begin()); next != heights.end(); ++next) {
-      const auto before = std::prev(next);
-      const double slope = (next->second - before->second) / (next->first - before->first);
-      double& steepest = next->first <= lowest->first ? fall : rise;
-      steepest = std::max(steepest, next->first <= lowest->first ? slope : -slope);
-    }
-    text += fmt::format(
-        "\n{} wheel: lowest at {:g} mm, {:.3f} mm down; dip angle {:.2f} mrad (steepest fall "
-        "before "
-        "and rise after it)\n",
-        contact::side_word(left), lowest->first, lowest->second, 1e3 * (fall + rise));
-  }
-  return text;
-}
-
 /// The largest model errors of all load points: "p0 12 MPa, a 0.02 mm".
 std::string largest_model_errors(const ModelResult& model) {
   std::string text;
@@ -358,9 +323,17 @@ std::string run_table(const result::RunRecord& record) {
     else
       found->push_back(model);
   }
-  if (scenes.size() > most_tables)
-    return row_table(models, record.input) + dip_lines(models, record.input);
   std::string text;
+  if (scenes.size() > most_tables) {
+    text = row_table(models, record.input);
+    for (const result::WheelDip& dip : result::wheel_dips(record))
+      if (dip.model == models.front().name)
+        text += fmt::format(
+            "\n{} wheel: lowest at {:g} mm, {:.3f} mm down; dip angle {:.2f} mrad (steepest fall "
+            "before and rise after it)\n",
+            dip.wheel, dip.track_position, dip.loaded_height, 1e3 * dip.dip_angle);
+    return text;
+  }
   for (const auto& scene : scenes) {
     if (!text.empty()) text += '\n';
     if (scene.front().place) text += place_line(*scene.front().place);

@@ -186,7 +186,7 @@ class Bench:
 
     def study(self, name, case, options=(), settings=None):
         """`rollfem study` of a case; returns study.json as a dict."""
-        folder = self._program("study", name, [case], settings, [*options, "--no-report"])
+        folder = self._program("study", name, [case], settings, [*options, "--no-report", "--reference-seconds", "0"])
         found = Study.read(folder)
         style.know(found.labels)
         return found.with_numbers

@@ -33,6 +33,12 @@ contact::TangentialField rigid_slip(const Patch& patch) {
   return halfspace::halfspace_geometry(*patch.scene).rigid_slip(patch.point.creepage, patch.grid);
 }
 
+contact::SurfaceField displacement_of(const Patch& patch) {
+  const auto& fields = patch.point.fields;
+  if (fields.traction.x.size() == 0 || fields.displacement.x.size() > 0) return fields.displacement;
+  return halfspace::Halfspaces(patch.scene->material, patch.grid).like->apply(fields.traction);
+}
+
 /// Zero where there is no pressure, and everywhere if the field is empty.
 contact::Field in_contact(const contact::Field& field, const contact::Field& pressure) {
   if (field.size() == 0) return contact::Field::Zero(pressure.size());
@@ -64,9 +70,9 @@ Known field_of(int code, const Problem& problem, const Patch& patch) {
     case fld_pn:
       return {f.traction.n, 1.0, -2};
     case fld_ux:
-      return {f.displacement.x, x, 1};
+      return {displacement_of(patch).x, x, 1};
     case fld_uy:
-      return {f.displacement.y, y, 1};
+      return {displacement_of(patch).y, y, 1};
     case fld_un:
       return {f.displacement.n, 1.0, 1};
     case fld_taucrt:

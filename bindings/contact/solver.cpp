@@ -38,40 +38,56 @@ std::string keys_of(const Equivalent& made, std::initializer_list<const char*> s
   return keys;
 }
 
-/// Whether the case differs in nothing but the values of its load point.
-bool same_settings(const Equivalent& a, const Equivalent& b) {
-  const auto same = [](const auto& x, const auto& y) {
-    return x.first == y.first &&
-           std::equal(x.second.begin(), x.second.end(), y.second.begin(), y.second.end(),
-                      [](const convert::Setting& s, const convert::Setting& t) {
-                        return s.key == t.key && s.value == t.value;
-                      });
+/// Whether the cases differ in nothing but numbers.
+bool same_but_numbers(const Equivalent& a, const Equivalent& b) {
+  const auto same_setting = [](const convert::Setting& s, const convert::Setting& t) {
+    const auto *list = std::get_if<std::vector<double>>(&s.value),
+               *other = std::get_if<std::vector<double>>(&t.value);
+    const bool numbers =
+        (list && other && list->size() == other->size()) ||
+        (std::holds_alternative<double>(s.value) && std::holds_alternative<double>(t.value));
+    return s.key == t.key && (numbers || s.value == t.value);
+  };
+  const auto same_section = [&](const auto& x, const auto& y) {
+    return x.first == y.first && std::equal(x.second.begin(), x.second.end(), y.second.begin(),
+                                            y.second.end(), same_setting);
   };
   const auto same_path = [](const auto& x, const auto& y) {
     return x.first == y.first && std::isnan(x.second) == std::isnan(y.second);
   };
   return a.problem == b.problem && a.from_sliding == b.from_sliding && a.distance == b.distance &&
-         std::equal(a.fixed.begin(), a.fixed.end(), b.fixed.begin(), b.fixed.end(), same) &&
+         std::equal(a.fixed.begin(), a.fixed.end(), b.fixed.begin(), b.fixed.end(), same_section) &&
          std::equal(a.varied.begin(), a.varied.end(), b.varied.begin(), b.varied.end(), same_path);
 }
 
-/// Whether two load points differ in nothing but creepages.
-bool same_load(const Equivalent& a, const Equivalent& b) {
-  return std::equal(a.varied.begin(), a.varied.end(), b.varied.begin(), b.varied.end(),
-                    [](const auto& x, const auto& y) {
-                      return x.second == y.second ||
-                             (std::isnan(x.second) && std::isnan(y.second)) ||
-                             x.first.rfind("rolling.", 0) == 0;
-                    });
+/// Sets numbers; their key checks them as in a case file.
+void set_value(const std::string& path, contact::KeyValue value, contact::Case& input) {
+  const contact::Key& key = *contact::find_key(path);
+  if (const double* number = std::get_if<double>(&value);
+      number != nullptr && key.kind == contact::KeyKind::numbers)
+    value = std::vector<double>{*number};
+  const auto check = [&](double number) {
+    if (!key.bounds.contains(number))
+      throw contact::InputError(fmt::format("{} = {:g} is out of bounds", path, number));
+  };
+  if (const auto* list = std::get_if<std::vector<double>>(&value))
+    std::for_each(list->begin(), list->end(), check);
+  else
+    check(std::get<double>(value));
+  key.set(input, value);
 }
 
-/// Sets a value of the load point; its key checks it as in a case file.
-void set_value(const std::string& path, double value, contact::Case& input) {
-  const contact::Key& key = *contact::find_key(path);
-  if (!key.bounds.contains(value))
-    throw contact::InputError(fmt::format("{} = {:g} is out of bounds", path, value));
-  const bool list = key.kind == contact::KeyKind::numbers;
-  key.set(input, list ? contact::KeyValue(std::vector<double>{value}) : contact::KeyValue(value));
+/// Takes over numbers that differ.
+void set_numbers(const Equivalent& before, const Equivalent& made, contact::Case& input) {
+  for (auto [from, to] = std::pair(before.fixed.begin(), made.fixed.begin());
+       to != made.fixed.end(); ++from, ++to)
+    for (std::size_t k = 0; k < to->second.size(); ++k)
+      if (const convert::Setting& setting = to->second[k]; setting.value != from->second[k].value)
+        set_value(to->first.empty() ? setting.key : to->first + "." + setting.key, setting.value,
+                  input);
+  std::vector<convert::Point> values{made.varied};
+  convert::remove_unused_values(values);
+  for (const auto& [path, value] : values.front()) set_value(path, value, input);
 }
 
 bool same_grid(const ContactGrid& a, const ContactGrid& b) {
@@ -138,15 +154,11 @@ void Solver::set_case(Equivalent made, const ProfileTexts& texts) {
   theories::models();  // declare their keys
   halfspace::models();
   const bool whole = made.history() || made.fixed.count("wheelset") > 0;
-  const bool same = made_ && !whole && same_settings(*made_, made);
-  if (!same || !same_load(*made_, made)) curve_.reset();
-  if (same) {
-    std::vector<convert::Point> values{made.varied};
-    convert::remove_unused_values(values);
-    for (const auto& [path, value] : values.front()) set_value(path, value, input_);
-  } else {
+  const auto before = std::exchange(made_, std::nullopt);  // stays so if a number is refused
+  if (before && !whole && same_but_numbers(*before, made))
+    set_numbers(*before, made, input_);
+  else
     input_ = convert::case_of(made, "contact");
-  }
   made_ = std::move(made);
   if (input_.has_profiles()) read_profiles(texts);
 }
@@ -240,10 +252,11 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
     if (scene->is_history()) scene->past = std::make_shared<contact::StepPast>();
     const auto& [dx, dy] = *scene->contact_grid.cell_size;
     patch.grid = halfspace::PatchSearch(*scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
-    if (curve_) {
+    if (!few_) few_ = std::make_shared<FewContact>();
+    if (auto point = few_->solve(*scene, patch.grid)) {
       patch.nx = patch.grid.nx;
       patch.ny = patch.grid.ny;
-      patch.point = curve_->at(*scene);
+      patch.point = std::move(*point);
       return patch;
     }
     const ContactGrid area = patch.grid;
@@ -261,8 +274,6 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
   patch.nx = patch.grid.nx - 2 * patch.first_column;
   patch.ny = patch.grid.ny - 2 * patch.first_row;
   patch.point = std::move(result.points.front());
-  if (patch.first_row == 0 && !convert::is_simplified(given.digits))
-    curve_ = CreepCurve::of(*scene, patch.grid, *halfspaces_, patch.point);
   return patch;
 }
 

@@ -3,7 +3,7 @@
 // call can use is kept: the case, the placed profiles, influence coefficients, the last solution.
 #pragma once
 
-#include "bindings/contact/creep_curve.hpp"
+#include "bindings/contact/few_contact.hpp"
 #include "case/case.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
@@ -107,7 +107,7 @@ class Solver {
   std::optional<halfspace::Halfspaces> halfspaces_;
   std::optional<contact::LevelResult> last_;  ///< of module 3
   std::optional<contact::History> history_;   ///< of its steps
-  std::shared_ptr<CreepCurve> curve_;         ///< null unless creepages alone change
+  std::shared_ptr<FewContact> few_;           ///< null: not yet needed
 };
 
 }  // namespace rollfem::addon

@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "base/progress.hpp"
 #include "bindings/python/caller.hpp"
+#include "halfspace/patch/patch_search.hpp"
 #include "modelling/caches/correction_cache.hpp"
 #include "modelling/frame/command_frame.hpp"
 #include "modelling/frame/in_process.hpp"
@@ -250,6 +251,13 @@ std::tuple<std::string, double, Scene> refined(Scene scene, const std::string& m
   return {label.empty() ? level.label : label, level.parameter, std::move(level.input)};
 }
 
+/// The shorter side of the expected patch, mm; empty where it is not known.
+std::optional<double> patch_size(const Scene& scene) {
+  const auto extent = contact::attempt([&] { return halfspace::PatchSearch(scene).extent(); });
+  if (!extent) return {};
+  return std::min(extent->length, extent->width);
+}
+
 /// Hertz's result if it is exact for the scene; otherwise none.
 Shared exact_of(const Scene& scene) {
   if (scene.has_profiles()) return nullptr;
@@ -277,6 +285,7 @@ void define_scenes(py::module_& module) {
         return found;
       });
   module.def("refined", &refined);
+  module.def("patch_size", &patch_size);
   module.def("exact_of", &exact_of);
   module.def("check", [](const Scene& scene, const std::string& model) {
     known_models().check(scene, model);

@@ -50,7 +50,8 @@ std::string range(const Key& key, const std::string& from) {
   const std::string unit = key.unit.empty() ? "" : " " + key.unit;
   std::string text;
   if (bounds.magnitude && bounds.lower == 0.0)
-    text = fmt::format("{}{:g} to {:g}{}", from, -bounds.upper, bounds.upper, unit);
+    text = from.empty() ? fmt::format("\u00b1{:g}{}", bounds.upper, unit)
+                        : fmt::format("{}{:g} to {:g}{}", from, -bounds.upper, bounds.upper, unit);
   else if (bounds.magnitude)
     text = fmt::format("of magnitude {:g} to {:g}{}", bounds.lower, bounds.upper, unit);
   else

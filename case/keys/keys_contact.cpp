@@ -7,17 +7,13 @@ namespace rollfem::contact {
 namespace {
 
 SectionWithKeys undeformed_distance_section() {
-  Keys<DistanceOptions> keys("undeformed_distance",
-                             "Undeformed distance, instead of the one from the radii",
-                             &Case::undeformed_distance);
+  Keys<DistanceOptions> keys("undeformed_distance", "Instead of radii", &Case::undeformed_distance);
   keys.section().alternatives = true;
   keys.add("quadratic", &DistanceOptions::quadratic, symbol("A, B"), unit("1/mm"),
-           between(1e-9, 1e6), otherwise("from the radii of wheel and rail"),
-           "h = A x^2 + B y^2; the radii may then be omitted.");
-  keys.add("file", &DistanceOptions::values, names_file,
-           otherwise("from the radii of wheel and rail"),
-           "Lines `x, y, h` in mm on a regular lattice, which becomes the potential contact area; "
-           "cubics interpolate.");
+           between(1e-9, 1e6), otherwise("from the radii"), "h = A x^2 + B y^2.");
+  keys.add("file", &DistanceOptions::values, names_file, otherwise("from the radii"),
+           "Lines `x, y, h` in mm on a regular lattice, the potential contact area; cubics "
+           "interpolate.");
   return keys;
 }
 
@@ -27,13 +23,11 @@ SectionWithKeys given_pressure_section() {
                            &Case::given_pressure);
   keys.section().alternatives = true;
   keys.add("semi_axis_x", &GivenPressure::semi_axis_x, symbol("a"), unit("mm"), positive(),
-           otherwise("the normal problem is solved"),
-           "Semi-axis of the ellipse along rolling; the radii may then be omitted.");
+           otherwise("not given"), "Semi-axis of the ellipse along rolling.");
   keys.add("semi_axis_y", &GivenPressure::semi_axis_y, symbol("b"), unit("mm"), positive(),
-           otherwise("the normal problem is solved"), "Semi-axis of the ellipse across rolling.");
+           otherwise("not given"), "Semi-axis of the ellipse across rolling.");
   keys.add("max_pressure", &GivenPressure::max_pressure, symbol("p_0"), unit("MPa"), positive(),
-           otherwise("from load.normal_force"),
-           "Pressure in the middle of the ellipse, instead of load.normal_force.");
+           otherwise("from load.normal_force"), "Pressure in its middle.");
   return keys;
 }
 
@@ -48,17 +42,16 @@ SectionWithKeys contact_grid_section() {
             return grid.cell_size ? KeyValue() : value_of(grid.elements_across);
           },
           [](GridOptions& grid, const KeyValue& value) { assign(grid.elements_across, value); }},
-      between(4, 2000),
-      "Contact elements along the smaller extent of the patch; not with cell_size.");
+      between(4, 2000), "Contact elements along the smaller extent of the patch.");
   keys.add("cell_size", &GridOptions::cell_size, symbol("dx, dy"), unit("mm"), positive(),
-           otherwise("from elements_across"), "Size of a contact element, [along x, along y].");
+           otherwise("from elements_across"), "Size of a contact element along x and y.");
   keys.add("extent", &GridOptions::extent, unit("mm"), positive(),
            otherwise("from the size of the patch"),
-           "Extent of the potential contact area, [along x, along y], also of fem, if the expected "
-           "patches do not cover it.");
+           "Extent of the potential contact area, also of fem, if the expected patches do not "
+           "cover it.");
   keys.add("middle", &GridOptions::middle, unit("mm"), within(1e6),
-           "Its middle, [x, y]; with profiles relative to the contact point, without an extent to "
-           "the middle of the patch.");
+           "Its middle; with profiles relative to the contact point, without an extent to the "
+           "middle of the patch.");
   return keys;
 }
 

@@ -91,17 +91,14 @@ void add_fall(Keys<Case>& keys) {
   const auto kind = KeyKind::numbers;
   const auto each = per("friction points");
   keys.add("law", inside(&Case::friction_fall, &FrictionFall::shape), laws(),
-           "How friction falls with the slip velocity, or follows the temperature of the surfaces "
-           "(formulas in docs/friction.md); all but `constant` need rolling.speed, except in a "
-           "shift.");
-  keys.add(kind, "kinetic_coefficient", of_falls(&FrictionFall::kinetic_coefficient), each,
-           symbol("mu_kin"), between(1e-14, 1000.0),
-           otherwise("required unless the law is `constant`"),
-           "Coefficient to which friction falls, 0.01 to 1 times friction.coefficient; mu_1 is the "
-           "rest.");
+           "How friction falls with slip velocity or follows temperature (docs/friction.md); all "
+           "but `constant` need rolling.speed, except in a shift.");
+  keys.add(
+      kind, "kinetic_coefficient", of_falls(&FrictionFall::kinetic_coefficient), each,
+      symbol("mu_kin"), between(1e-14, 1000.0), otherwise("required by falling laws"),
+      "Coefficient to which friction falls, 0.01 to 1 times the coefficient; mu_1 is the rest.");
   keys.add(kind, "half_velocity", of_falls(&FrictionFall::half_velocity), each, symbol("s_h1"),
-           unit("mm/s"), between(smallest, 1e12),
-           otherwise("required unless the law is `constant`"),
+           unit("mm/s"), between(smallest, 1e12), otherwise("required by falling laws"),
            "Slip velocity at which mu_1 is halved; in a shift, slip in mm over one second.");
   keys.add(kind, "second_part", of_falls(&FrictionFall::second_part), each, symbol("mu_2"),
            zero_or(1e-14, 1000.0), otherwise("0"),
@@ -122,15 +119,14 @@ void add_memory(Keys<Case>& keys) {
   keys.add("branch", inside(&Case::friction_fall, &FrictionFall::branch),
            {{"sticking", FrictionBranch::sticking}, {"sliding", FrictionBranch::sliding}},
            silent_default, otherwise("sticking"),
-           "State where a steep law without memory has several: `sticking`, the one with the most "
-           "friction, or `sliding`, the least, to which fast sliding slows down.");
+           "If a steep law without memory has several states: `sticking`, the one with the most "
+           "friction, or `sliding`, the least.");
   keys.add("memory_distance", inside(&Case::friction_fall, &FrictionFall::memory_distance),
            silent_default, symbol("d_c"), unit("mm"), zero_or(smallest, largest), otherwise("0"),
-           "Sliding distance over which friction follows the slip velocity, some micrometres; 0: "
-           "at once.");
+           "Sliding distance over which friction follows the slip velocity, some micrometres.");
   keys.add("memory_velocity", inside(&Case::friction_fall, &FrictionFall::memory_velocity),
            silent_default, symbol("s_0"), unit("mm/s"), between(smallest, 1e12), otherwise("1.0"),
-           "Slip velocity below which friction follows as if it slid at this one.");
+           "Below this slip velocity friction follows as if it slid at it.");
 }
 
 /// The places of the points, of which there is one per place.
@@ -147,16 +143,15 @@ void add_places(Keys<Case>& keys) {
     keys.add(KeyKind::numbers, name, of_places(member), per("friction points"), counts, ascending,
              traits...);
   };
-  const auto same = otherwise("friction is the same everywhere");
+  const auto same = otherwise("the same everywhere");
   places("inclination", &FrictionVariation::inclination, same, unit("rad"), within(1.6),
-         "Inclinations of the rail's surface against the track plane, ascending, negative on the "
-         "gauge face (minus the contact angle), for lists of the law's numbers: linear between, "
-         "constant outside. Needs profiles.");
+         "Inclinations of the rail's surface, ascending, negative on the gauge face (minus the "
+         "contact angle), for lists of the law's numbers: linear between, constant outside. With "
+         "profiles.");
   places("track_position", &FrictionVariation::track_position, same, unit("mm"), within(largest),
-         "The same over the position along the track, wheelset.track_position, instead of "
-         "inclination.");
+         "The same over wheelset.track_position.");
   places("lateral_position", &FrictionVariation::lateral_position, same, unit("mm"),
-         within(largest), "The same over y, for contacts without profiles.");
+         within(largest), "The same over y, without profiles.");
 }
 
 SectionWithKeys friction_section() {
@@ -166,8 +161,8 @@ SectionWithKeys friction_section() {
   const auto no_underflow = zero_or(1e-12, 1000.0);
   keys.add(KeyKind::numbers, "coefficient", of_points(&Point::coefficient), per("friction points"),
            symbol("mu"), no_underflow, Required{"0.55"},
-           "Coefficient of friction, of a falling law at rest; 0 is frictionless. Lists, here and "
-           "below, belong to inclination, track_position or lateral_position.");
+           "Coefficient of friction, of a falling law at rest. Lists, here and below, go with "
+           "inclination, track_position or lateral_position.");
   add_fall(keys);
   add_memory(keys);
   add_places(keys);
@@ -175,23 +170,21 @@ SectionWithKeys friction_section() {
 }
 
 SectionWithKeys layer_section() {
-  Keys<Layer> keys("layer", "A layer between wheel and rail that gives way to shear alone",
+  Keys<Layer> keys("layer", "A layer between wheel and rail that yields to shear alone",
                    &Case::layer);
   keys.section().alternatives = true;
   keys.add("thickness", &Layer::thickness, symbol("h_3"), unit("mm"), positive(),
-           otherwise("no elastic layer"),
-           "Thickness of the layer of dirt, sand or wear particles, or of the roughness.");
+           otherwise("no elastic layer"), "Thickness of dirt, sand, wear particles or roughness.");
   keys.add("shear_modulus", &Layer::shear_modulus, symbol("G_3"), unit("MPa"), positive(),
            otherwise("no elastic layer"),
            "Its shear modulus; tractions p_t move the surfaces by p_t h_3/G_3 against each other.");
   keys.add("yield_stress", &Layer::yield_stress, symbol("tau_c0"), unit("MPa"), positive(),
            otherwise("it does not yield"),
-           "Shear stress at which the layer yields; tractions are at most the smaller of it and mu "
-           "p_n.");
+           "Shear stress at which it yields; tractions are at most the smaller of it and mu p_n.");
   keys.add("hardening", &Layer::hardening, symbol("k_tau"), unit("MPa/mm"), within(largest),
            otherwise("0, perfectly plastic"),
-           "Rise of the yield stress per mm by which a particle has yielded since it entered the "
-           "patch; below 0 the layer softens.");
+           "Rise of the yield stress per mm of yielding since a particle entered the patch; below "
+           "0 the layer softens.");
   return keys;
 }
 

@@ -10,22 +10,20 @@ SectionWithKeys general_section() {
   Keys<Case> keys("", "Before the first section", whole_case());
   keys.add("title", &Case::title, example(R"("a wheel on a crowned rail")"),
            otherwise("the name of the file"), "Heading of the report.");
-  keys.add(
-      KeyKind::words, "models",
-      Access<Case>{
-          [](const Case& c) -> KeyValue { return c.models.empty() ? KeyValue() : c.models; },
-          [](Case& c, const KeyValue& v) { c.models = std::get<Words>(v); }},
-      among_known(&KnownNames::models),
-      "Models that `run` solves, in this order; `--model` overrides it. `auto`, on its own, "
-      "chooses the cheapest of halfspace, hybrid and fem that meets `accuracy` (docs/choice.md).");
+  keys.add(KeyKind::words, "models",
+           Access<Case>{
+               [](const Case& c) -> KeyValue { return c.models.empty() ? KeyValue() : c.models; },
+               [](Case& c, const KeyValue& v) { c.models = std::get<Words>(v); }},
+           among_known(&KnownNames::models),
+           "Models that `run` solves, in this order. `auto`, on its own, chooses the cheapest of "
+           "halfspace, hybrid and fem that meets `accuracy` (docs/choice.md).");
   keys.add("accuracy", &Case::accuracy, between(1e-5, 0.5), otherwise("unset: no refinement"),
            "Largest estimated relative error of the quantities in `accuracy_of`. halfspace and fem "
-           "halve their cells until it is reached; if memory or the finest grid ends this first, "
-           "the status is 1. auto chooses model and grid, model error included; its default is "
-           "0.01, and missing that only a warning.");
+           "halve their cells until they meet it, or end with status 1; auto includes the model "
+           "error, with 0.01 as default.");
   keys.add("accuracy_of", &Case::accuracy_of, among_known(&KnownNames::quantities),
-           "Quantities that `accuracy` applies to, at the worst load point; errors are relative to "
-           "the value, of traction_coefficient to mu, of max_traction_x to mu p_0.");
+           "Quantities of `accuracy`, at the worst load point; errors refer to the value, of "
+           "traction_coefficient to mu, of max_traction_x to mu p_0.");
   return keys;
 }
 
@@ -39,16 +37,16 @@ SectionWithKeys load_section() {
            "Force that presses the wheel on the rail.");
   keys.add("approach", &Load::approach, symbol("delta"), unit("mm"), between(1e-9, 1e6),
            otherwise(one_of),
-           "Approach (penetration) of distant points of the two bodies, instead of the force; less "
-           "than a tenth of the smallest radius.");
+           "Approach (penetration) of distant points of the bodies; below a tenth of the smallest "
+           "radius.");
   keys.add("vertical_force", &Load::vertical_force, symbol("Q"), unit("N"),
            between(1e-6, largest_force), otherwise(one_of),
-           "With profiles: vertical force on each wheel, carried by the normal forces and friction "
-           "of all its patches together.");
+           "With profiles: vertical force on each wheel, carried by pressure and friction of all "
+           "its patches.");
   keys.add("max_pressure", &Load::max_pressure, symbol("p_0"), unit("MPa"), positive(),
            otherwise(one_of),
-           "Largest pressure by Hertz's theory of an ellipse or a line, which gives the force; not "
-           "with profiles or a distance from a file.");
+           "Hertz's largest pressure, which gives the force; not with profiles or a distance from "
+           "a file.");
   return keys;
 }
 

@@ -11,26 +11,23 @@ namespace {
 SectionWithKeys output_section() {
   Keys<OutputOptions> keys("output", "Output beside summary.json and results.h5", &Case::output);
   keys.add("paths", &OutputOptions::paths, among({"x", "y"}), or_empty,
-           "Centre lines of the patch along which tractions are written and drawn.");
+           "Centre lines along which tractions are written and drawn.");
   keys.add("fields", &OutputOptions::fields,
-           "Write ParaView files: the contact surface at `grid_fields`, wheel and rail (model fem) "
-           "at `body_fields`.");
+           "Write ParaView files of `grid_fields` and `body_fields`.");
   keys.add("grid_fields", &OutputOptions::grid_fields,
            {{"auto", GridFields::automatic},
             {"all", GridFields::all},
             {"some", GridFields::some},
             {"none", GridFields::none}},
-           "Load points that keep fields on the contact grid (results.h5, path_x.csv, path_y.csv, "
-           "ParaView): `some` is 25 from the first to the last; `auto` is all of up to 100 per "
-           "model and patch, otherwise `some`. Figures, and rollfem stress for half-spaces, need "
-           "these fields.");
+           "Load points that keep fields on the contact grid, which figures and rollfem stress "
+           "need: `some` is 25, `auto` all of up to 100 per model and patch, otherwise `some`.");
   keys.add("body_fields", &OutputOptions::body_fields,
            {{"all", BodyFields::all}, {"last", BodyFields::last}, {"none", BodyFields::none}},
-           "Load points that keep displacement and stress of wheel and rail (model fem; ParaView, "
-           "results.h5, rollfem stress); each takes some 12 MB and about as long as solving it.");
+           "Load points that keep displacement and stress of wheel and rail (model fem), for "
+           "rollfem stress; each takes some 12 MB and doubles the time.");
   keys.add("stress_maxima", &OutputOptions::stress_maxima,
-           "Largest von Mises, Tresca, orthogonal shear and principal stress of wheel and rail, "
-           "with positions (models halfspace, hybrid, fem).");
+           "Largest von Mises, Tresca, orthogonal shear and principal stress of both bodies, with "
+           "positions.");
   return keys;
 }
 
@@ -38,41 +35,36 @@ SectionWithKeys table_section() {
   Keys<TableOptions> keys("table", "Grid of `rollfem table`; other commands ignore it",
                           &Case::table);
   keys.add("axis_ratio", &TableOptions::axis_ratio, ascending, symbol("a/b"), between(0.02, 50.0),
-           otherwise("from the case's Hertzian ellipse"),
-           "Axis ratios a/b of the ellipse, a along rolling, in increasing order.");
-  keys.add(
-      "lateral_shift", &TableOptions::lateral_shift, ascending, unit("mm"), within(1e3),
-      otherwise("none: the table is over axis_ratio"),
-      "Lateral shifts of the wheelset, in increasing order, for a table of a wheel with profiles.");
+           otherwise("that of the case"), "Increasing axis ratios, a along rolling.");
+  keys.add("lateral_shift", &TableOptions::lateral_shift, ascending, unit("mm"), within(1e3),
+           otherwise("axis_ratio applies"),
+           "Increasing lateral shifts, for a wheel with profiles.");
   keys.add("lateral_shift_step", &TableOptions::lateral_shift_step, unit("mm"), between(1e-3, 1e3),
-           otherwise("lateral_shift lists every shift"),
-           "Step between the first and the last shift; lateral_shift then holds only these two.");
+           otherwise("all are listed"), "Step between the two shifts of lateral_shift.");
   keys.add("load", &TableOptions::load, ascending, unit("N"), between(1e-6, largest_force),
            otherwise("that of the case"),
-           "Increasing loads, an axis in place of the force under [load]; of ellipses with a "
-           "memory or a layer.");
+           "Increasing loads as an axis; for ellipses with a memory or a layer.");
   keys.add("speed", &TableOptions::speed, ascending, unit("mm/s"), between(1e-3, 1e8),
-           otherwise("rolling.speed"),
-           "Increasing speeds, an axis in place of rolling.speed under a falling law.");
+           otherwise("rolling.speed"), "Increasing speeds as an axis, under a falling law.");
   keys.add("points", &TableOptions::points, between(2, 200),
            otherwise("16, 16, 31; over lateral shifts 8, 8, 15"),
-           "Grid points along xi', eta' (from 0; over lateral shifts mirrored to negative values) "
-           "and phi' (both signs; an odd number includes 0).");
+           "Grid points along xi', eta' (from 0; over lateral shifts mirrored) and phi' (both "
+           "signs; an odd number includes 0).");
   keys.add("largest", &TableOptions::largest, between(0.01, 1000.0),
-           "Largest xi', eta' and phi' of the grid; beyond it full sliding is assumed (refused "
-           "with a falling law or a layer).");
+           "Largest xi', eta' and phi'; beyond, full sliding is assumed (refused with a falling "
+           "law or a layer).");
   const auto of_lists = zero_or(smallest, 1000.0);
   const auto from_points = otherwise("from points and largest");
   keys.add("longitudinal_values", &TableOptions::longitudinal, ascending, symbol("xi'"), of_lists,
            from_points,
-           "Scaled longitudinal creepages (docs/tables.md) from 0 on, instead of the first entries "
-           "of points and largest; over lateral shifts mirrored to negative values.");
+           "Scaled longitudinal creepages (docs/tables.md) from 0, instead of points and largest; "
+           "over lateral shifts mirrored.");
   keys.add("lateral_values", &TableOptions::lateral, ascending, symbol("eta'"), of_lists,
-           from_points, "Scaled lateral creepages from 0 on, instead of the second entries.");
+           from_points, "The same for lateral creepage.");
   keys.add("spin_values", &TableOptions::spin, ascending, symbol("phi'"), of_lists, from_points,
-           "Scaled spins from 0 on, instead of the third entries; mirrored to negative values.");
+           "The same for spin; mirrored.");
   keys.add("check_points", &TableOptions::check_points, between(0, 1e6),
-           "Random points between grid points at which the interpolation error is evaluated.");
+           "Random points at which the interpolation error is evaluated.");
   return keys;
 }
 
@@ -106,8 +98,8 @@ void add_body(RequestKeys& keys, const std::string& sentence) {
 }
 
 constexpr const char* around_points =
-    "Body of the points: z >= 0 in the wheel, z <= 0 in the rail; with hybrid and fem a concave "
-    "body extends beyond z = 0 to its surface.";
+    "z >= 0 in the wheel, z <= 0 in the rail; with hybrid and fem a concave body extends beyond z "
+    "= 0.";
 
 void add_corner(RequestKeys& keys, const std::string& name, const std::string& sentence,
                 Corner corner) {
@@ -146,7 +138,7 @@ SectionWithKeys subsurface_line_section() {
   add_body(keys, around_points);
   add_corner(keys, "from", "One end of the line, [x, y, z].", &Request::from);
   add_corner(keys, "to", "The other end.", &Request::to);
-  add_number_of_points(keys, "Equally spaced points, both ends included.");
+  add_number_of_points(keys, "Equally spaced points, ends included.");
   return keys;
 }
 
@@ -154,26 +146,24 @@ SectionWithKeys subsurface_plane_section() {
   RequestKeys keys =
       section_of("plane", "A plane of points below the surface", Request::Kind::plane);
   add_body(keys, around_points);
-  add_corner(keys, "from", "One corner of the plane, a parallelogram, [x, y, z].", &Request::from);
+  add_corner(keys, "from", "One corner of the parallelogram, [x, y, z].", &Request::from);
   add_corner(keys, "to", "Corner at the end of the first side.", &Request::to);
-  add_corner(keys, "across", "Corner at the end of the second side from `from`.", &Request::across);
+  add_corner(keys, "across", "Corner at the end of the second side.", &Request::across);
   keys.add("points", &Request::points, between(2, 10000), Required{"[41, 21]"},
-           "Points along the first and along the second side.");
+           "Points along each side.");
   return keys;
 }
 
 SectionWithKeys subsurface_surface_section() {
-  RequestKeys keys =
-      section_of("surface", "A line that follows the contact surface of a body, on it or below it",
-                 Request::Kind::surface);
-  add_body(keys, "The body whose surface is followed.");
+  RequestKeys keys = section_of("surface", "A line on or below the contact surface of a body",
+                                Request::Kind::surface);
+  add_body(keys, "The body.");
   add_end(keys, "from", "One end of the line, [x, y].", &Request::from);
   add_end(keys, "to", "The other end.", &Request::to);
-  keys.add(
-      "depth", &Request::depth, unit("mm"), zero_or(smallest, 1e6), example("0.0"),
-      otherwise("0, on the surface"),
-      "Depth of the line below the surface: along z in the rail, towards the axle in the wheel.");
-  add_number_of_points(keys, "Points equally spaced in x and y, both ends included.");
+  keys.add("depth", &Request::depth, unit("mm"), zero_or(smallest, 1e6), example("0.0"),
+           otherwise("0, on the surface"),
+           "Depth below the surface: along z in the rail, towards the axle in the wheel.");
+  add_number_of_points(keys, "Points equally spaced in x and y, ends included.");
   return keys;
 }
 

@@ -34,27 +34,26 @@ SectionWithKeys track_section() {
   keys.section().on_rail = false;
   keys.add("gauge", &Track::gauge, unit("mm"), between(1.0, 1e4), "Distance between the rails.");
   keys.add("gauge_height", &Track::gauge_height, unit("mm"), between(0.1, 100.0),
-           "Depth below the top of the rails at which the gauge is measured.");
-  keys.add("gauge_face", &Track::gauge_face, unit("mm"), within(1e3), otherwise("found"),
-           "y of the gauge face at that depth, in the coordinates of the rail's profile; it also "
-           "says which of several heads carries the wheel.");
+           "Depth below the top of the rails where the gauge is measured.");
+  keys.add(
+      "gauge_face", &Track::gauge_face, unit("mm"), within(1e3), otherwise("found"),
+      "y of the gauge face there, on the rail's profile; it also chooses among several heads.");
   keys.add("rail_position", &Track::rail_position, unit("mm"), within(1e4),
-           otherwise("the gauge places the rails"),
-           "Where the origin of the rail's profile is, from the middle of the track outwards and "
-           "down, instead of the gauge.");
+           otherwise("from the gauge"),
+           "Origin of the rail's profile, from the middle of the track outwards and down.");
   keys.add("rail_stiffness", &Track::rail_stiffness, unit("N/mm"), between(1.0, largest),
            otherwise("the rails stay in place"),
-           "Of springs without mass on which each rail stands, across and vertical.");
+           "Springs without mass under each rail, across and vertical.");
   keys.add("rail_force", &Track::rail_force, unit("N"), within(largest_force), silent_default,
            otherwise("0"),
-           "On each rail besides that of its wheel, to the right and down, with rail_stiffness.");
+           "Further force on each rail, to the right and down, with rail_stiffness.");
   keys.add(KeyKind::lean, "inclination",
            Access<Track>{
                [](const Track& track) { return lean_of(track.inclination); },
                [](Track& track, const KeyValue& value) { track.inclination = tangent_of(value); }},
            among({"none"}), within(0.5), example(R"("1:40")"), otherwise("required with profiles"),
-           "Inclination of the rails towards the middle of the track; `none` also if the rail's "
-           "profile was measured in the track.");
+           "Inclination towards the middle of the track; `none` if the profile was measured in the "
+           "track.");
   return keys;
 }
 
@@ -69,63 +68,60 @@ WheelsetKeys keys_of(const std::string& name, const std::string& sentence, bool 
 }
 
 /// The last two lists over the positions, extended to one length by `complete`.
-void add_height(WheelsetKeys& keys, const std::string& of) {
+void add_height(WheelsetKeys& keys) {
   keys.add("height", &Wheelset::height, unit("mm"), within(1e3), per("positions"),
            otherwise("the load determines it"),
-           "z of the middle of the axle plus wheel.rolling_radius, instead of a load: " + of +
-               " The load is then a result.");
+           "z of the middle of the axle plus wheel.rolling_radius, instead of a load (a result "
+           "then): 0 is level with the top of the rails or the profile's z = 0, positive below.");
 }
 
 /// Where along the track, and which part of the wheel is below.
-void add_way(WheelsetKeys& keys, const std::string& what) {
+void add_way(WheelsetKeys& keys) {
   keys.add("track_position", &Wheelset::track_position, unit("mm"), within(largest),
-           per("positions"), otherwise("required where rail or friction change along the track"),
-           "Where along the track the " + what + " is.");
+           per("positions"), otherwise("required if rail or friction change along the track"),
+           "Position along the track.");
   keys.add("wheel_angle", &Wheelset::wheel_angle, unit("rad"), within(1e3), per("positions"),
-           otherwise("required where the wheel's profile changes about the axle"),
-           "Angle of the wheel's section that points down; it grows as the wheel rolls forward.");
+           otherwise("required if the profile changes about the axle"),
+           "Angle of the wheel's section that points down; grows in rolling.");
 }
 
 /// Lists over the positions of the wheelset.
 void add_positions(WheelsetKeys& keys) {
-  keys.add("lateral_shift", &Wheelset::lateral_shift, unit("mm"), within(1e3), per("positions"),
-           "Lateral shift of the wheelset, positive to the right seen along x. A list gives "
-           "several positions; lateral_shift, yaw and roll have one length or single numbers.");
+  keys.add(
+      "lateral_shift", &Wheelset::lateral_shift, unit("mm"), within(1e3), per("positions"),
+      "Lateral shift, positive to the right. Lists (also of yaw and roll) give several positions.");
   keys.add("yaw", &Wheelset::yaw, unit("rad"), within(largest_turn), per("positions"),
-           "Yaw of the wheelset about the vertical, positive to the right.");
+           "Yaw, positive from x to y.");
   keys.add("roll", &Wheelset::roll, unit("rad"), within(largest_turn), per("positions"),
            otherwise("both wheels touch their rails"),
-           "Roll of the wheelset about x, positive when the right wheel is lower; each wheel is "
-           "then lowered onto its rail separately.");
-  add_height(keys, "0 is level with the rails, positive below; give roll too.");
-  add_way(keys, "wheelset");
+           "Roll, positive when the right wheel is lower; each wheel is then lowered onto its rail "
+           "separately.");
+  add_height(keys);
+  add_way(keys);
 }
 
-void add_motion(WheelsetKeys& keys, const std::string& lateral, const Choices<FreeRolling>& free,
+void add_motion(WheelsetKeys& keys, const Choices<FreeRolling>& free,
                 const std::string& conditions) {
   keys.add("lateral_velocity", &Wheelset::lateral_velocity, within(1.0),
-           "Lateral over forward velocity, positive " + lateral + ".");
+           "Lateral over forward velocity, positive along y.");
   keys.add("yaw_velocity", &Wheelset::yaw_velocity, unit("rad/mm"), within(1.0),
            "Change of yaw per rolled distance.");
   keys.add("roll_velocity", &Wheelset::roll_velocity, unit("rad/mm"), within(1.0),
            "Change of roll per rolled distance.");
   keys.add("vertical_velocity", &Wheelset::vertical_velocity, within(1.0),
-           otherwise("wheel and rail neither part nor overlap"),
+           otherwise("the wheel follows the rail"),
            "Vertical over forward velocity, positive downwards.");
-  keys.add("rotation_change", of_each(&Wheelset::rotation_change), within(1.0),
-           otherwise("0: the wheelset turns with V / rolling_radius"),
+  keys.add("rotation_change", of_each(&Wheelset::rotation_change), within(1.0), otherwise("0"),
            "Relative change of the rotation from V / rolling_radius: positive drives, negative "
-           "brakes. A list gives a creep curve; not with longitudinal_creepage.");
+           "brakes. A list gives a creep curve.");
   keys.add("free_rolling", &Wheelset::free_rolling, free,
-           "Condition instead of rotation_change: " + conditions);
+           "Instead of rotation_change: " + conditions);
   keys.add("longitudinal_force", of_each(&Wheelset::longitudinal_force), symbol("F_x"), unit("N"),
            within(largest_force), otherwise("0"),
-           "With free_rolling = \"force\": the force of the rail on each wheel along the way, "
-           "negative when braking.");
+           "With `force`: force of the rail on each wheel along the way, negative when braking.");
 }
 
-const std::string no_force =
-    "`force`: F_x on each wheel separately is longitudinal_force, otherwise 0";
+const std::string no_force = "`force`: F_x on each wheel is longitudinal_force";
 
 SectionWithKeys wheelset_section() {
   WheelsetKeys keys =
@@ -134,38 +130,37 @@ SectionWithKeys wheelset_section() {
            {{"left", WheelSide::left}, {"right", WheelSide::right}, {"both", WheelSide::both}},
            "Wheels to solve; both are always placed on the track.");
   keys.add("flange_back_distance", &Wheelset::flange_back_distance, unit("mm"), within(1e4),
-           "Distance between the backs of the two flanges (back to back).");
+           "Distance between the flange backs (back to back).");
   keys.add("flange_back_position", &Wheelset::flange_back_position, unit("mm"), within(1e3),
-           "y of the back of the flange in the coordinates of the wheel's profile.");
+           "y of the flange back on the wheel's profile.");
   add_positions(keys);
   add_motion(
-      keys, "to the right",
+      keys,
       {{"none", FreeRolling::none}, {"force", FreeRolling::force}, {"torque", FreeRolling::torque}},
-      no_force + "; `torque`: that of both wheels about the axle is axle_torque, otherwise 0.");
+      no_force + "; `torque`: the torque on both is axle_torque.");
   keys.add("axle_torque", of_each(&Wheelset::axle_torque), unit("N mm"), within(largest_force),
            otherwise("0"),
-           "With free_rolling = \"torque\": torque of the contact forces on both wheels about "
-           "the axle, positive if it turns them forward (when braking).");
+           "With `torque`: torque of the contact forces on both wheels about the axle, positive "
+           "when braking.");
   return keys;
 }
 
 SectionWithKeys placement_section() {
   WheelsetKeys keys = keys_of("placement",
-                              "Pose and motion of one wheel in the coordinates of the rail's "
-                              "profile (y to the field, z down), instead of [track] and [wheelset]",
+                              "One wheel in the coordinates of the rail's profile (y to the field, "
+                              "z down), instead of [track] and [wheelset]",
                               true);
   keys.add("side", &Wheelset::side, {{"left", WheelSide::left}, {"right", WheelSide::right}},
-           "Where the field is, seen along x; one is the mirror image of the other.");
+           "Where the field is, seen along x.");
   keys.add("lateral_position", &Wheelset::lateral_shift, unit("mm"), within(1e4), per("positions"),
-           "y of the middle of the wheel, the origin of its profile. Lists give several poses.");
-  add_height(keys, "0 is level with the profile's z = 0, positive below.");
+           "y of the origin of the wheel's profile. Lists give several poses.");
+  add_height(keys);
   keys.add("yaw", &Wheelset::yaw, unit("rad"), within(largest_turn), per("positions"),
-           "Yaw of the wheel, positive from x to y.");
+           "Yaw, positive from x to y.");
   keys.add("roll", &Wheelset::roll, unit("rad"), within(largest_turn), per("positions"),
-           otherwise("0"), "Roll of the wheel, positive from y to z.");
-  add_way(keys, "wheel");
-  add_motion(keys, "along y", {{"none", FreeRolling::none}, {"force", FreeRolling::force}},
-             no_force + ".");
+           otherwise("0"), "Roll, positive from y to z.");
+  add_way(keys);
+  add_motion(keys, {{"none", FreeRolling::none}, {"force", FreeRolling::force}}, no_force + ".");
   return keys;
 }
 
@@ -174,8 +169,7 @@ SectionWithKeys displacement_section(const std::string& body, Displacement Case:
   Keys<Displacement> keys(
       body + "_displacement",
       "Displacement of each " + body +
-          " by itself, [left, right], in the axes of the track, and its change, about "
-          "the origin of its profile; otherwise it moves as undisplaced",
+          " from its place, [left, right], in the axes of the track, and its change",
       part);
   keys.section().of_profiles = true;
   keys.section().on_rail = false;
@@ -187,20 +181,19 @@ SectionWithKeys displacement_section(const std::string& body, Displacement Case:
   if (is_wheel) add("longitudinal", &Displacement::longitudinal, "mm", 1e3, "Along x.");
   add("lateral", &Displacement::lateral, "mm", 1e3, "To the right.");
   add("vertical", &Displacement::vertical, "mm", 1e3, "Down.");
-  add("roll", &Displacement::roll, "rad", largest_turn,
-      "From y to z, about the origin of the profile.");
+  add("roll", &Displacement::roll, "rad", largest_turn, "From y to z, about the profile's origin.");
   if (is_wheel) add("yaw", &Displacement::yaw, "rad", largest_turn, "From x to y.");
   if (is_wheel)
     add("longitudinal_velocity", &Displacement::longitudinal_velocity, "", 1.0,
         "Along x, over the forward velocity.");
   add("lateral_velocity", &Displacement::lateral_velocity, "", 1.0, "The same to the right.");
   add("vertical_velocity", &Displacement::vertical_velocity, "", 1.0,
-      "The same down, only with wheelset.vertical_velocity.");
+      "The same down, with wheelset.vertical_velocity.");
   add("roll_velocity", &Displacement::roll_velocity, "rad/mm", 1.0, "Change per rolled distance.");
   if (is_wheel) {
     add("yaw_velocity", &Displacement::yaw_velocity, "rad/mm", 1.0, "Change per rolled distance.");
     add("rotation", &Displacement::rotation, "rad/mm", 1.0,
-        "Added to the rotation of the wheelset over the forward velocity, positive forward.");
+        "Added to rotation over forward velocity, positive forward.");
   }
   return keys;
 }

@@ -259,7 +259,7 @@ void FrictionNewton::fail(double scale) const {
           ? fmt::format("in the one found a small change returns {:.3g} times as large",
                         *effort_.feedback)
           : std::string("Newton's method found none");
-  const SteepCause why =
+  const SteepCause reason =
       steep_cause(*problem_->friction, effort_.steepness,
                   problem_->motion.past ? problem_->motion.past->length : grid_->dx);
   throw NoSteadyFriction(
@@ -267,8 +267,8 @@ void FrictionNewton::fail(double scale) const {
                   "went up and down most at x = "
                   "{:.4g} mm, y = {:.4g} mm; such surfaces stick and slip in turn, which steps of "
                   "rolling.problem = \"transient\" follow; do: {} ({})",
-                  why.cause, effort_.steepness, found, grid_->x(static_cast<int>(k % grid_->nx)),
-                  grid_->y(static_cast<int>(k / grid_->nx)), why.cure, how));
+                  reason.cause, effort_.steepness, found, grid_->x(static_cast<int>(k % grid_->nx)),
+                  grid_->y(static_cast<int>(k / grid_->nx)), reason.cure, how));
 }
 
 FrictionEffort FrictionNewton::solve(ElementOperator& compliance, const ContactGrid& grid,

@@ -136,17 +136,17 @@ double sufficient_memory(const FrictionLaw& law, double steepness, double way) {
 }  // namespace
 
 SteepCause steep_cause(const FrictionLaw& law, double steepness, double way) {
-  SteepCause words{"friction falls so steeply with the slip velocity",
-                   "give friction.memory_distance, or a larger one, or a larger half_velocity"};
+  SteepCause reason{"friction falls so steeply with the slip velocity",
+                    "give friction.memory_distance, or a larger one, or a larger half_velocity"};
   if (law.feels_slip() && way > 0.0 && steepness > steep)
-    words.cure = fmt::format(
+    reason.cure = fmt::format(
         "give friction.memory_distance (one state from about {:.2g} mm), or a larger half_velocity",
         sufficient_memory(law, steepness, way));
-  if (!law.plasticity || law.plasticity->hardening >= 0.0) return words;
+  if (!law.plasticity || law.plasticity->hardening >= 0.0) return reason;
   const std::string cure = "give a layer.hardening nearer to 0";
   if (!law.feels_slip()) return {"the layer softens so fast", cure};
   return {"friction falls with the slip velocity and the layer softens so fast",
-          cure + ", or " + words.cure};
+          cure + ", or " + reason.cure};
 }
 
 double FrictionState::steepness(double compliance) const {

@@ -410,12 +410,12 @@ void warn_of_steep_friction(const LevelResult& level, const Friction& friction,
                                 : fmt::format("there are several states at {} of {} load points",
                                               level.several, level.points.size());
   const bool steps = !level.points.empty() && level.points.front().step > 0;
-  const SteepCause words = steep_cause(*friction, level.steepness, steps ? 0.0 : level.grid.dx);
+  const SteepCause reason = steep_cause(*friction, level.steepness, steps ? 0.0 : level.grid.dx);
   add_warning(
       notes, "steep_friction",
       "{} ({:.2g} times what one element withstands) that {}, which depend on the grid: "
       "the result is the one chosen by friction.branch; for one alone: {} (docs/friction.md)",
-      words.cause, level.steepness, found, words.cure);
+      reason.cause, level.steepness, found, reason.cure);
 }
 
 /// Before load points are solved that may take minutes each.
@@ -426,12 +426,12 @@ void ContactRun::warn_if_steep() const {
       steepness(*friction_, result_.pressure.maxCoeff(),
                 elasticity_->halfspace().rolling(scene_.upwind_order).diagonal(), way);
   if (gain <= 1.0) return;
-  const SteepCause words = steep_cause(*friction_, gain, way);
+  const SteepCause reason = steep_cause(*friction_, gain, way);
   ProgressEvent event;
   event.note = fmt::format(
       "{} ({:.2g} times what one element withstands) that there may be several states or "
       "none, and a load point may take minutes; do: {}",
-      words.cause, gain, words.cure);
+      reason.cause, gain, reason.cure);
   event.warns = true;
   tell(event, "friction", true);
 }

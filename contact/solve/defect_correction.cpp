@@ -261,14 +261,14 @@ ContactState solve_coupled(const Compliance& compliance, const Preconditioner& p
                           std::to_string(solution.iterations) + " iterations, required " +
                           std::to_string(options.tolerance);
   if (solution.tangential.feedback) {
-    const SteepCause why = steep_cause(
+    const SteepCause reason = steep_cause(
         *problem.conditions.friction, solution.tangential.steepness,
         problem.motion.past ? problem.motion.past->length : preconditioner.whole.grid().dx);
     throw NoSteadyFriction(
-        why.cause +
+        reason.cause +
         " that no stable steady state was found: it jumps to another one whenever pressure and "
         "slip are corrected for each other; do: " +
-        why.cure + " (" + how + ")");
+        reason.cure + " (" + how + ")");
   }
   throw SolveError(how);
 }

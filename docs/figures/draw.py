@@ -20,7 +20,8 @@ from matplotlib.patches import Arc, Circle, Ellipse, Polygon, Rectangle
 
 HERE = pathlib.Path(__file__).resolve().parent
 INK, BLUE, RED, GREEN, GREY = "#1a1a1a", "#0072B2", "#D55E00", "#009E73", "#8c8c8c"
-plt.rcParams.update({"font.size": 9, "svg.fonttype": "none", "svg.hashsalt": "rollfem", "font.family": "sans-serif"})
+plt.rcParams.update({"font.size": 9, "svg.fonttype": "none", "svg.hashsalt": "rollfem", "font.family": "sans-serif",
+                     "axes.spines.top": False, "axes.spines.right": False})
 
 
 def arrow(ax, start, end, label="", color=INK, at=(0, 0), width=1.4):
@@ -183,6 +184,7 @@ def leading_edge():
     figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 3.9))
     d, ahead = np.linspace(0, 8, 400), np.linspace(0, 4, 200)
     beside = left.twinx()
+    beside.spines["right"].set_visible(True)
     left.plot(-d, np.sqrt(d), color=INK)
     beside.plot(-d, -2.5 * d, color=BLUE)
     beside.plot(ahead, 2.5 * ahead - ahead**1.5, color=RED)
@@ -193,7 +195,7 @@ def leading_edge():
     left.text(0.15, 0.05, "leading edge", color=GREY)
     left.annotate("", (0.6, 0.55), (4, 0.55), arrowprops={"arrowstyle": "-|>", "color": GREY})
     left.text(2.3, 0.62, "material", color=GREY, ha="center")
-    left.set(xlim=(-8, 4.2), ylim=(0, 3.6), xlabel="place along rolling, elements", ylabel="traction over that at d = 1",
+    left.set(xlim=(-8, 4.2), ylim=(0, 3.6), xlabel="place along rolling [elements]", ylabel="traction over that at d = 1",
              title="Near the leading edge, d elements behind or ahead of it")
     beside.set(ylim=(-21, 12), ylabel="displacement difference over c")
     border = np.arange(-shown, 3)
@@ -208,7 +210,7 @@ def leading_edge():
         unit = q[-40] / np.sqrt(off - x[-40])
         right.plot(off - behind, np.sqrt(behind), color=color, lw=1)
         right.plot(x[-shown:], q[-shown:] / unit, mark, color=color, ms=5, label=label)
-    right.set(xlim=(-shown, 1.6), ylim=(0, 3.3), xlabel="place along rolling, elements; border of the first element at 0",
+    right.set(xlim=(-shown, 1.6), ylim=(0, 3.3), xlabel="place along rolling [elements]; border of the first element at 0",
               ylabel="traction over that at d = 1", title="Where the discrete solution puts the edge")
     right.legend(frameon=True, framealpha=1, edgecolor="none", loc="upper right")
     figure.tight_layout()
@@ -251,7 +253,7 @@ def profile_points(program):
     mark(rail, (y[-1], z[-1]), "field side", (24, 30))
     rail.set(title="Rail (60E1), upright", xlim=(-52, 48))
     for ax in (wheel, rail):
-        ax.set(xlabel="y to the field side, mm", ylabel="z down, mm", ylim=(42, -16), aspect="equal")
+        ax.set(xlabel="y to the field side [mm]", ylabel="z down [mm]", ylim=(42, -16), aspect="equal")
         ax.grid(color="#e6e6e6", lw=0.6)
         ax.set_axisbelow(True)
     figure.tight_layout()

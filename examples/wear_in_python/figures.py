@@ -4,7 +4,8 @@ import matplotlib
 
 matplotlib.use("Agg")
 matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "rollfem", "path.simplify_threshold": 0.5,
-                            "legend.frameon": False})
+                            "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.color": "#dddddd",
+                            "axes.axisbelow": True, "legend.frameon": False})
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -34,33 +35,33 @@ def save(figure, folder, name):
 def draw(folder, profiles, history, distance):
     new, along = profiles[0], np.array([row["distance"] for row in history]) / 1e3
     names = {k: f"{k * distance:,.0f} km".replace(",", " ") for k in range(len(profiles))}
-    figure, axes = plt.subplots(figsize=(7.5, 3.0))
+    figure, axes = plt.subplots(figsize=(7.5, 3.4))
     for k, colour in shown(profiles):
         axes.plot(profiles[k].y, profiles[k].z, color=colour, linewidth=1.1, label=names[k])
-    axes.set(xlabel="y of the profile, to the field side, mm", ylabel="z, mm", xlim=(-60, 40), ylim=(30, -3), aspect="equal")
+    axes.set(xlabel="y of the profile, to the field side [mm]", ylabel="z of the tread, enlarged [mm]", xlim=(-35, 40), ylim=(5, -1.5))
     axes.legend(fontsize="small")
     save(figure, folder, "profile")
 
     figure, axes = plt.subplots(figsize=(7.5, 3.2))
     for k, colour in shown(profiles)[1:]:
         axes.plot(*depth_over(new, profiles[k]), color=colour, label=names[k])
-    axes.set(xlabel="y of the profile, to the field side, mm", ylabel="depth, mm", xlim=(-45, 40))
+    axes.set(xlabel="y of the profile, to the field side [mm]", ylabel="depth [mm]", xlim=(-45, 40))
     axes.invert_yaxis()
     axes.legend(fontsize="small")
     save(figure, folder, "depth")
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.0, 3.2))
     left.plot(along, [row["conicity"] for row in history], "o-", color="black", markersize=3)
-    left.set(xlabel="distance, 1000 km", ylabel="equivalent conicity, 3 mm", ylim=(0, None))
+    left.set(xlabel="distance [1000 km]", ylabel="equivalent conicity at 3 mm [-]", ylim=(0, None))
     for k, colour in shown(profiles):
         right.plot(history[k]["lateral_shift"], history[k]["y_wheel"], color=colour, label=names[k])
-    right.set(xlabel="lateral shift to the right, mm", ylabel="y of the contact, right wheel, mm")
+    right.set(xlabel="lateral shift to the right [mm]", ylabel="y of the contact, right wheel [mm]")
     right.legend(fontsize="small")
     save(figure, folder, "conicity")
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.0, 3.2))
     left.stairs([row["area"] / distance * 1e4 for row in history[:-1]], along, color="black")
-    left.set(xlabel="distance, 1000 km", ylabel="removed area, mm² in 10 000 km", ylim=(0, None))
+    left.set(xlabel="distance [1000 km]", ylabel="removed area [mm² in 10 000 km]", ylim=(0, None))
     right.stairs([row["work"] for row in history[:-1]], along, color="black", baseline=None)
-    right.set(xlabel="distance, 1000 km", ylabel="mean frictional work, J/m", ylim=(0, None))
+    right.set(xlabel="distance [1000 km]", ylabel="mean frictional work [J/m]", ylim=(0, None))
     save(figure, folder, "rate")

@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "contact/solve/side_by_side.hpp"
+#include "fem/mesh/run_layout.hpp"
 #include "fem/plasticity/pass_results.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/halfspace_model.hpp"
@@ -171,11 +172,14 @@ void set_point_bars(const Scene& scene, std::size_t k, const Beside& beside,
 
 }  // namespace
 
-void set_pass_bars(const std::vector<PointResult>& coarse, std::vector<PointResult>& fine) {
+void set_pass_bars(const std::vector<PointResult>& coarse, double cell, bool surface_flows,
+                   std::vector<PointResult>& fine) {
   // Counted over random loads with benchmark_fem_pass_bars (docs/plasticity.md).
   constexpr double safety = 1.25, least = 0.25, unresolved = 0.6;
   std::map<std::string, double> largest;
+  double axis = 0.0;
   for (std::size_t k = 0; k < fine.size(); ++k) {
+    axis = std::max(axis, std::min(fine[k].semi_axis_x, fine[k].semi_axis_y));
     const auto value = [k](const char* name, const std::vector<PointResult>& of) {
       return contact::quantity_named(name).value(of[k]).value_or(0.0);
     };
@@ -190,7 +194,10 @@ void set_pass_bars(const std::vector<PointResult>& coarse, std::vector<PointResu
       double of_strain = (name == "residual_stress" ? 1.0 : least) * largest["plastic_strain"];
       if (name == "net_plastic_increment")
         of_strain = std::max(of_strain, largest["plastic_increment"]);
-      const double part = std::max(largest[name], of_strain);
+      const double across = axis > 0.0 ? cell / axis : 0.0;
+      const double of_cells =
+          name == "residual_stress" && surface_flows ? across : across * across;
+      const double part = std::max({largest[name], of_strain, of_cells});
       if (part > unresolved)
         fine[k].no_bar[name] = contact::NoBar::not_resolved;
       else
@@ -232,8 +239,14 @@ bool set_error_bars(const Scene& scene, std::vector<ModelResult>& levels) {
     halfspace::set_stress_bars(levels[last].grid, coarse, coarsest, fine);
   }
   if (scene.yields()) {
-    set_pass_bars(levels[last - 1].points, levels[last].points);
-    compare_verdicts(levels[last - 1].points, levels[last].points);
+    const double cell = levels[last].grid.dy;
+    const BodyOptions bodies = run_layout(scene, cell).bodies;
+    const auto equal_rows = [&](bool is_wheel) {
+      return options_of(scene, is_wheel, bodies).rows.equal_rows();
+    };
+    set_pass_bars(levels[last - 1].points, cell, !(equal_rows(true) && equal_rows(false)),
+                  levels[last].points);
+    compare_verdicts(levels[last - 1].points, levels[last].points, options_of(scene).thick_rows);
   }
   if (!beside) return false;
   beside->count_steps(scene, levels[last]);

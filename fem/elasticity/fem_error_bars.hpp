@@ -31,8 +31,10 @@ inline constexpr std::array<const char*, 7> pass_quantities{
 /// Sets the bars of these quantities from the same passes on cells of twice the size. Plastic
 /// strain has kinks, so that two meshes may agree by chance and show no order: the bar is a
 /// multiple of the largest relative change so far, at least of a part of that of the plastic
-/// strain. Where it exceeds 60 %, there is none.
-void set_pass_bars(const std::vector<contact::PointResult>& coarse,
+/// strain and of (cell / smaller semi-axis)^2: a peak as wide as the patch loses that much as a
+/// mean over cells. The residual stress of a surface that flows depends on where cells lie along
+/// rolling: at least cell / smaller semi-axis. Where it exceeds 60 %, there is none. `cell`: mm.
+void set_pass_bars(const std::vector<contact::PointResult>& coarse, double cell, bool surface_flows,
                    std::vector<contact::PointResult>& fine);
 
 /// Sets the error bars of the last level; at least two levels, each with half the cell size of the

@@ -219,7 +219,9 @@ std::optional<contact::Note> fit_surface_rows(Scene& scene, double cell_size) {
   double row = chosen;
   do {
     row *= 1.25;
-    scene.options.set<FemOptions>().surface_layer = row;
+    auto& options = scene.options.set<FemOptions>();
+    options.surface_layer = row;
+    options.thick_rows = true;
   } while (row < cell_size && !fit_together(scene, {cell_size}));
   contact::Note note{"surface_layer",
                      fmt::format("the first row of cells is {:.2g} mm high instead of {:.2g} mm, "

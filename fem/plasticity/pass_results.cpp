@@ -211,7 +211,8 @@ double imprint_of(const YieldedSection& section) {
   return -*std::min_element(section.groove.begin(), section.groove.end());
 }
 
-YieldEvidence evidence_of(const YieldedSection& coarse, const YieldedSection& fine) {
+YieldEvidence evidence_of(const YieldedSection& coarse, const YieldedSection& fine,
+                          bool thick_rows) {
   constexpr double about = 0.3;  // relative change between the meshes
   const bool flows =
       fine.verdict == YieldVerdict::ratchetting || fine.verdict == YieldVerdict::settling ||
@@ -220,7 +221,7 @@ YieldEvidence evidence_of(const YieldedSection& coarse, const YieldedSection& fi
                             ? &YieldedSection::cycle_net_increment
                             : &YieldedSection::cycle_increment;
   const double here = fine.*decisive, there = coarse.*decisive;
-  if (flows && std::abs(here - there) > about * std::max(here, there))
+  if (flows && (thick_rows || std::abs(here - there) > about * std::max(here, there)))
     return YieldEvidence::not_resolved;
   return coarse.verdict == fine.verdict ? YieldEvidence::both_meshes : YieldEvidence::meshes_differ;
 }
@@ -297,12 +298,12 @@ std::string verdict_note(const YieldedSection& section, int passes) {
 }
 
 void compare_verdicts(const std::vector<contact::PointResult>& coarse,
-                      std::vector<contact::PointResult>& fine) {
+                      std::vector<contact::PointResult>& fine, bool thick_rows) {
   for (std::size_t k = 0; k < fine.size(); ++k)
     for (std::size_t b = 0; b < fine[k].yielded.size(); ++b) {
       YieldedSection& section = fine[k].yielded[b];
       const YieldedSection& other = coarse[k].yielded[b];
-      section.evidence = evidence_of(other, section);
+      section.evidence = evidence_of(other, section, thick_rows);
       section.finding = finding(section, &other, static_cast<int>(k) + 1);
     }
 }

@@ -73,8 +73,9 @@ std::string finding(const contact::YieldedSection& section, const contact::Yield
 /// The finding with what it is of: "the rail after 6 passes: ...".
 std::string verdict_note(const contact::YieldedSection& section, int passes);
 
-/// Sets evidence and finding of the bodies of all passes by those of the coarser mesh.
+/// Sets evidence and finding of the bodies of all passes by those of the coarser mesh; with
+/// `thick_rows` neither mesh resolves the strain at the surface.
 void compare_verdicts(const std::vector<contact::PointResult>& coarse,
-                      std::vector<contact::PointResult>& fine);
+                      std::vector<contact::PointResult>& fine, bool thick_rows);
 
 }  // namespace rollfem::fem

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace rollfem::halfspace {
 
@@ -92,6 +93,7 @@ bool FewElementsRolling::gather(const Field& pressure) {
     Row& row = rows_[rows_in_use_++];
     row.first = first;
     row.length = count_ - first;
+    row.kept_for = 0.0;
   }
   return count_ > 0;
 }
@@ -164,14 +166,13 @@ void FewElementsRolling::central_slip(const InfluenceTable& table, const Given& 
 }
 
 /// The Jacobian of a single row of elements.
-void FewElementsRolling::fill_block(const Row& row, const contact::Linearisation& at, double r,
-                                    double drag) {
+void FewElementsRolling::fill_jacobian(const Row& row, Block& to, const contact::Linearisation& at,
+                                       double r, double drag) const {
   const Index length = row.length;
-  block_.resize(2 * length, 2 * length);
   for (Index k = 0; k < length; ++k) {
     const Index e = row.first + k, f = count_ + e;
-    auto x = block_.row(k);
-    auto y = block_.row(length + k);
+    auto x = to.row(k).head(2 * length);
+    auto y = to.row(length + k).head(2 * length);
     for (const Index half : {Index(0), Index(1)}) {
       const Index source = half * count_ + row.first;
       x.segment(half * length, length) = r * matrix_.row(e).segment(source, length);
@@ -194,21 +195,26 @@ void FewElementsRolling::fill_block(const Row& row, const contact::Linearisation
 
 void FewElementsRolling::linearise(const contact::Linearisation& at, double r, double drag) {
   for (std::size_t k = 0; k < rows_in_use_; ++k) {
-    fill_block(rows_[k], at, r, drag);
-    rows_[k].factors.compute(block_);
+    Row& row = rows_[k];
+    const auto first = at.adheres.begin() + row.first;
+    row.adheres = drag == 0.0 && std::count(first, first + row.length, 0) == 0;
+    if (row.adheres && std::exchange(row.kept_for, r) == r) continue;
+    Block& to = row.adheres ? row.adhering : row.inverse;
+    fill_jacobian(row, to, at, r, drag);
+    element_sums().invert(to.data(), to.cols(), 2 * row.length);
   }
 }
 
 void FewElementsRolling::precondition(const Given& p, Vector result) {
-  BlockVector right, solution;
+  Eigen::Matrix<double, 2 * most_in_row, 1> right, solution;
   for (std::size_t k = 0; k < rows_in_use_; ++k) {
     const Row& row = rows_[k];
-    right.resize(2 * row.length);
     right.head(row.length) = p.segment(row.first, row.length);
-    right.tail(row.length) = p.segment(count_ + row.first, row.length);
-    solution = row.factors.solve(right);
+    right.segment(row.length, row.length) = p.segment(count_ + row.first, row.length);
+    element_sums().multiply(row.used().data(), Block::ColsAtCompileTime, 2 * row.length,
+                            2 * row.length, right.data(), solution.data());
     result.segment(row.first, row.length) = solution.head(row.length);
-    result.segment(count_ + row.first, row.length) = solution.tail(row.length);
+    result.segment(count_ + row.first, row.length) = solution.segment(row.length, row.length);
   }
 }
 

@@ -10,7 +10,7 @@
 #include "halfspace/elasticity/influence_tables.hpp"
 #include "scene/patch_geometry.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 #include <vector>
 
@@ -39,23 +39,27 @@ class FewElementsRolling : public contact::ElementOperator {
   void precondition(const Given& p, Vector result) override;
 
  private:
-  static constexpr int most_in_row = 32;
-  using Block =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 2 * most_in_row, 2 * most_in_row>;
-  using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * most_in_row, 1>;
+  static constexpr int most_in_row = ElementSums::most_rows / 2;
   using Index = Eigen::Index;
 
-  /// Elements of one row of the grid, and the factors of their Jacobian.
+  using Block = Eigen::Matrix<double, 2 * most_in_row, 2 * most_in_row, Eigen::RowMajor>;
+
+  /// Elements of one row of the grid, and the inverse of their Jacobian; that of a row that adheres
+  /// is kept.
   struct Row {
     Index first = 0;
     Index length = 0;
-    Eigen::PartialPivLU<Block> factors;
+    bool adheres = false;
+    double kept_for = 0.0;  ///< r of `adhering`
+    Block inverse, adhering;
+    const Block& used() const { return adheres ? adhering : inverse; }
   };
 
   bool gather(const contact::Field& pressure);
   void fill_matrix(const InfluenceTable& table, const contact::Field& weights);
   void add_layer(double layer, const contact::Field& weights);
-  void fill_block(const Row& row, const contact::Linearisation& at, double r, double drag);
+  void fill_jacobian(const Row& row, Block& to, const contact::Linearisation& at, double r,
+                     double drag) const;
 
   int nx_, ny_;
   Index most_;
@@ -65,7 +69,6 @@ class FewElementsRolling : public contact::ElementOperator {
   std::vector<Index> places_;
   std::vector<Row> rows_;  ///< the first rows_in_use_ are in use
   std::size_t rows_in_use_ = 0;
-  Block block_;
 };
 
 // The normal blocks of one or several patches of few elements that share a load.

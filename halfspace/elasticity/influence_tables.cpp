@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace rollfem::halfspace {
 
@@ -57,6 +58,7 @@ struct Register {
   static ROLLFEM_INLINE const anywhere& at(const double* place) {
     return *reinterpret_cast<const anywhere*>(place);
   }
+  static ROLLFEM_INLINE anywhere& at(double* place) { return *reinterpret_cast<anywhere*>(place); }
 };
 
 /// A result of up to `columns`.
@@ -117,6 +119,36 @@ ROLLFEM_INLINE void multiply(const double* matrix, std::ptrdiff_t stride, std::p
     multiply_rows<bytes, 1>(matrix + row * stride, stride, columns, x, y + row);
 }
 
+/// to += factor from, n values.
+template <int bytes>
+ROLLFEM_INLINE void add(double factor, const double* from, std::ptrdiff_t n, double* to) {
+  using In = Register<bytes>;
+  std::ptrdiff_t k = 0;
+  for (; k + In::lanes <= n; k += In::lanes) In::at(to + k) += factor * In::at(from + k);
+  for (; k < n; ++k) to[k] += factor * from[k];
+}
+
+template <int bytes>
+ROLLFEM_INLINE void invert(double* matrix, std::ptrdiff_t stride, std::ptrdiff_t n) {
+  std::ptrdiff_t exchanged[ElementSums::most_rows];
+  for (std::ptrdiff_t k = 0; k < n; ++k) {
+    double* const row = matrix + k * stride;
+    std::ptrdiff_t largest = k;
+    for (std::ptrdiff_t i = k + 1; i < n; ++i)
+      if (std::abs(matrix[i * stride + k]) > std::abs(matrix[largest * stride + k])) largest = i;
+    exchanged[k] = largest;
+    if (largest != k) std::swap_ranges(row, row + n, matrix + largest * stride);
+    const double pivot = std::exchange(row[k], 1.0);
+    for (std::ptrdiff_t c = 0; c < n; ++c) row[c] /= pivot;
+    for (std::ptrdiff_t i = 0; i < n; ++i)
+      if (i != k)
+        add<bytes>(-std::exchange(matrix[i * stride + k], 0.0), row, n, matrix + i * stride);
+  }
+  for (std::ptrdiff_t k = n - 1; k >= 0; --k)
+    for (std::ptrdiff_t i = 0; exchanged[k] != k && i < n; ++i)
+      std::swap(matrix[i * stride + k], matrix[i * stride + exchanged[k]]);
+}
+
 // Attributes cannot stand in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
 #define ROLLFEM_VARIANT(name, bytes, attribute)                                                    \
@@ -128,7 +160,10 @@ ROLLFEM_INLINE void multiply(const double* matrix, std::ptrdiff_t stride, std::p
                                  std::ptrdiff_t columns, const double* x, double* y) {             \
     multiply<bytes>(matrix, stride, rows, columns, x, y);                                          \
   }                                                                                                \
-  constexpr ElementSums sums_##name{&convolve_##name, &multiply_##name};
+  attribute void invert_##name(double* matrix, std::ptrdiff_t stride, std::ptrdiff_t n) {          \
+    invert<bytes>(matrix, stride, n);                                                              \
+  }                                                                                                \
+  constexpr ElementSums sums_##name{&convolve_##name, &multiply_##name, &invert_##name};
 // NOLINTEND(bugprone-macro-parentheses)
 
 ROLLFEM_VARIANT(sse2, 16, )

@@ -38,6 +38,9 @@ struct ElementSums {
   /// y = M x, M row by row with `stride` between rows.
   void (*multiply)(const double* matrix, std::ptrdiff_t stride, std::ptrdiff_t rows,
                    std::ptrdiff_t columns, const double* x, double* y);
+  /// M of n <= most_rows rows becomes its inverse (Gauss and Jordan).
+  void (*invert)(double* matrix, std::ptrdiff_t stride, std::ptrdiff_t n);
+  static constexpr int most_rows = 64;
 };
 
 const ElementSums& element_sums();

@@ -55,77 +55,67 @@ using FemKeys = contact::Keys<FemOptions>;
 void add_elements(FemKeys& keys) {
   keys.add("cell_size", &FemOptions::cell_size, symbol("h"), unit("mm"), positive(),
            otherwise("chosen from the size of the patch"),
-           "Size of a finite element in the patch, and of a contact element of this model.");
+           "Size of a finite element in the patch, and of its contact elements.");
   keys.add("degree", &FemOptions::degree, between(1, 2),
-           "Polynomial degree of the displacement; 1 is 15 to 20 times less accurate on the same "
-           "cells, with contact elements of two by two cells.");
+           "Polynomial degree; 1 is 15 to 20 times less accurate on the same cells.");
   keys.add("extent", &Case::body_extent, symbol("L"), unit("mm"), positive(),
            otherwise("chosen from the size of the patch"),
-           "Distance from the middle of the patch to which wheel and rail are meshed.");
+           "Meshed distance from the middle of the patch.");
   keys.add("fine_extent", &FemOptions::fine_extent, symbol("c"), between(1.0, 10.0),
            otherwise("chosen by the model"),
-           "Extent of the finest cells, in semi-axes of the patch; more than 1.1 gains nothing.");
+           "Extent of the finest cells in semi-axes; more than 1.1 gains nothing.");
   keys.add("linear_solver", &FemOptions::linear_solver,
            {{"automatic", LinearMethod::automatic},
             {"factorisation", LinearMethod::factorisation},
             {"multigrid", LinearMethod::multigrid},
             {"algebraic", LinearMethod::algebraic}},
-           "`automatic` chooses the one expected to be faster; `algebraic` (Trilinos ML) is for "
-           "imported meshes too fine to serve as a coarse level.");
+           "`automatic`: the faster one; `algebraic` (Trilinos ML): for imported meshes too fine "
+           "as a coarse level.");
   keys.add("inertia", &Case::inertia,
-           "Include the inertia of wheel and rail and the wheel's centrifugal load at "
-           "rolling.speed, below 0.9 of the slower body's Rayleigh wave speed.");
+           "Include inertia and the wheel's centrifugal load at rolling.speed, below 0.9 of the "
+           "Rayleigh wave speed.");
 }
 
 void add_meshes(FemKeys& keys) {
-  keys.add(
-      "mesh", &FemOptions::mesh,
-      {{"structured", MeshFamily::structured}, {"gmsh", MeshFamily::gmsh}},
-      otherwise("`structured`"),
-      "`structured` lays a graded box on the surface; `gmsh` revolves or extrudes a quadrilateral "
-      "mesh of the cross-section, with profiles the true section of rail and wheel rim.");
+  keys.add("mesh", &FemOptions::mesh,
+           {{"structured", MeshFamily::structured}, {"gmsh", MeshFamily::gmsh}},
+           otherwise("`structured`"),
+           "`structured`: a graded box on the surface; `gmsh`: a mesh of the cross-section, "
+           "revolved or extruded; with profiles the true section of rail and wheel rim.");
   keys.add("width", &FemOptions::width, unit("mm"), positive(), otherwise("twice the extent"),
            "Width of the segments across rolling.");
-  keys.add("depth", &FemOptions::depth, unit("mm"), positive(),
-           otherwise("the extent; for true sections 172 (rail foot)"),
-           "Depth of the segments; for the true section of a rail the depth below its top at which "
-           "it is cut and fixed.");
   keys.add(
-      "rim_thickness", &FemOptions::rim_thickness, unit("mm"), positive(), otherwise("65"),
-      "Thickness of the wheel's rim below the contact in a true section; its inner side is fixed.");
+      "depth", &FemOptions::depth, unit("mm"), positive(),
+      otherwise("the extent; for true sections 172 (rail foot)"),
+      "Depth of the segments; of a true section, below the top of the rail, where it is fixed.");
+  keys.add("rim_thickness", &FemOptions::rim_thickness, unit("mm"), positive(), otherwise("65"),
+           "True section: thickness of the rim below the contact; its inner side is fixed.");
   keys.add("length", &FemOptions::length, unit("mm"), positive(), otherwise("twice the extent"),
-           "Length of the segments along rolling, on the wheel of the arc.");
+           "Length of the segments along rolling (arc).");
   keys.add("far_boundary", &FemOptions::far_boundary,
            {{"clamped", FarBoundary::clamped}, {"point_load", FarBoundary::point_load}},
-           otherwise("`point_load`; `clamped` with your own mesh or true sections"),
-           "Far boundary of the segments: `clamped`, or displaced like a half-space under the "
-           "force (`point_load`).");
+           otherwise("`point_load`; own mesh and true sections `clamped`"),
+           "`clamped`, or displaced like a half-space under the force (`point_load`).");
 }
 
 void add_passes(FemKeys& keys) {
   keys.add("passes", &FemOptions::passes, between(1, 1000), silent_default,
            otherwise("one for each load point"),
-           "Passes over bodies that yield ([rail_plasticity], [wheel_plasticity]); the load points "
-           "of the case follow one another, again and again. At least one for each of them.");
+           "Passes over bodies that yield; the load points follow one another, again and again.");
   keys.add("pass_pressure", &FemOptions::pass_pressure,
            {{"yielding", PassPressure::yielding}, {"elastic", PassPressure::elastic}},
-           "Contact of the passes: `yielding`, that of the bodies as they are; `elastic`, as if "
-           "they had not changed their shape, for comparison with theory.");
-  keys.add(
-      "limit_state", &FemOptions::limit_state,
-      "Each pass (cycle of load points) starts from a state extrapolated from those before, so "
-      "that the state that repeats is reached in about half the passes; plastic strain is then "
-      "that of no number of passes, only its increments count.");
-  keys.add(
-      "plastic_extent", &FemOptions::plastic_extent, between(0.5, 10.0),
-      "Extent of the region that may yield, relative to the usual one (as deep as "
-      "elastic stress exceeds the yield stress); it grows where steel yields at its border. The "
-      "default cell_size grows with it.");
+           "Contact of the passes: of the bodies as they are, or `elastic`, as if their shape had "
+           "not changed (for theory).");
+  keys.add("limit_state", &FemOptions::limit_state,
+           "Extrapolate each pass (cycle of load points), which reaches the repeating state in "
+           "half the passes; only increments of plastic strain then count.");
+  keys.add("plastic_extent", &FemOptions::plastic_extent, between(0.5, 10.0),
+           "Extent of the region that may yield, relative to the usual one; it grows by itself, "
+           "the default cell_size with it.");
   keys.add("surface_layer", &FemOptions::surface_layer, unit("mm"), contact::zero_or(1e-4, 1e3),
            otherwise("chosen"),
-           "Height of the cells at the surface of a body that yields; rows below grow to the cell "
-           "size. Chosen where the traction may exceed the yield stress in shear, so thin that the "
-           "strain in the first row is within a tenth of that at the surface; 0: equal rows.");
+           "Height of the cells at the surface of a body that yields, growing below "
+           "(docs/plasticity.md); 0: equal rows.");
 }
 
 /// Inertia needs a speed below the Rayleigh wave speed, at which moving loads have no steady

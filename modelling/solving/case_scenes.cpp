@@ -58,10 +58,22 @@ std::vector<result::PlacedPair> drawn_pairs(const Case& input, const track::Sear
     const bool wanted = !input.is_wheel_history() ||
                         input.output.keeps_grid(static_cast<std::size_t>(place.position) - 1,
                                                 input.wheelset.positions());
-    if (place.patch == 1 && wanted)
-      pairs.push_back({place.left, place.position,
-                       on_track(search.rail(place.left).curve, place.left),
-                       wheel_on_track(input, search.profiles.wheel, scene.contact)});
+    if (place.patch != 1 || !wanted) continue;
+    // Of bodies that change along their way, the sections at the axle.
+    const auto section = [&](const auto& surface, const std::vector<double>& ways,
+                             const profiles::ProfileCurve& same) {
+      if (!surface) return same;
+      return surface->section(ways.empty() ? 0.0
+                                           : ways.at(static_cast<std::size_t>(place.position) - 1));
+    };
+    const track::SearchScene::Rail& rail = search.rail(place.left);
+    pairs.push_back(
+        {place.left, place.position,
+         on_track(section(rail.surface, input.wheelset.track_position, rail.curve), place.left),
+         wheel_on_track(input,
+                        section(search.profiles.wheel_sections, input.wheelset.wheel_angle,
+                                search.profiles.wheel),
+                        scene.contact)});
   }
   return pairs;
 }

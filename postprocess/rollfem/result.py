@@ -284,6 +284,8 @@ class Result(Written):
     quantities: Annotated[dict[str, Quantity], "what the numbers are"] = field(default_factory=dict)
     profiles: Annotated[dict[tuple[str, int], dict[str, np.ndarray]], "by wheel and position rail and wheel [n, 2], y and z "
                         "on the track (mm)"] = field(default_factory=dict)
+    dips: Annotated[list[dict[str, Any]], "model, wheel, track_position, loaded_height (mm), dip_angle (rad): where each wheel "
+                    "is lowest on its way along the track, and how sharply it turns"] = field(default_factory=list)
     overlays: list[tuple[str, np.ndarray]] = field(default_factory=list)  # for creep curves: (name, [n, 2 or 3] creepage, value, bar)
     reference: str = ""  # name of the reference model of figures, if the user has chosen one
     default_reference: str = ""  # that of the command, otherwise the best one of the run
@@ -311,6 +313,7 @@ class Result(Written):
                    provenance=root.parts["provenance"].attributes, inputs={**keys.attributes, **keys.entries},
                    friction_law=case.entries.get("friction_law"),
                    quantities={name: Quantity(*row) for name, *row in zip(*columns)},
+                   dips=root.rows("dips"),
                    profiles={(pair.attributes["wheel"], pair.attributes["position"]): dict(pair.entries) for pair in pairs}, **others)
         models = sorted(root.parts["models"].parts.items(), key=lambda item: int(item[1].attributes["order"]))
         history = made.inputs.get("rolling.problem") in ("shift", "transient")

@@ -133,7 +133,7 @@ def in_python(error: InputError) -> InputError:
 
 def study(case: CaseLike, /, *, model: str | None = None, models: Models = None, vary: str | Sequence[str] = (),
           together: bool = False, levels: int = 0, quantity: str | Sequence[str] = (), reference: str | Sequence[str] = (),
-          progress: Told = None) -> Study:
+          reference_seconds: float = Wishes.reference_seconds, progress: Told = None) -> Study:
     """Solves a case on successively finer grids, cells, degrees or domains.
 
     Args:
@@ -144,6 +144,8 @@ def study(case: CaseLike, /, *, model: str | None = None, models: Models = None,
         levels: 2 to 8; 0: as the model has it.
         quantity: Followed in addition: scalars of a load point, or "max_von_mises_rail" and the like.
         reference: "exact", "finest", "extrapolated" or "QUANTITY=VALUE".
+        reference_seconds: Most that a level beyond the finest, the reference where the levels show no limit, may be expected to
+            take; 0: none.
     Raises:
         InputError: The case or the call is wrong.
         SolveError: No level was solved; levels that fail beside others are a warning.
@@ -163,7 +165,8 @@ def study(case: CaseLike, /, *, model: str | None = None, models: Models = None,
         names = _core.checked_names(names, "models")
     core = checked(case).core
     try:
-        wishes = Wishes(names, listed("vary", vary), together, levels, listed("quantity", quantity), listed("reference", reference))
+        wishes = Wishes(names, listed("vary", vary), together, levels, listed("quantity", quantity), listed("reference", reference),
+                        reference_seconds)
         wishes.check(core)
         work = _core.Computation(wishes.named(), progress)
         made = Refined(wishes, core, work)

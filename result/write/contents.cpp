@@ -357,13 +357,21 @@ Tree keys_tree(const contact::Case& input) {
   return tree;
 }
 
-Tree head_tree(const RunRecord& run) {
+Tree dips_tree(const RunRecord& run) {
   Tree tree;
+  if (const auto dips = wheel_dips(run); !dips.empty())
+    put(tree, {"dips", "", "Where each wheel is lowest on its way, and its dip angle", ""}, dips);
+  return tree;
+}
+
+Tree head_tree(const RunRecord& run) {
+  Tree tree = dips_tree(run);
   tree.attributes = {{"verdict", run.verdict}};
   put(tree,
       {"documentation", "", "Unit and meaning of the attributes of /models/NAME/points/NUMBER"},
       documentation());
-  tree.parts = {quantities_tree(), case_tree(run.input)};
+  tree.parts.push_back(quantities_tree());
+  tree.parts.push_back(case_tree(run.input));
   put(tree, {"provenance", "", "Program, version, machine and time of this result", ""},
       run.provenance);
   if (!run.pairs.empty())

@@ -45,7 +45,10 @@ struct Tree {
   bool summed_up = true;                       ///< in summary.json, too
 };
 
-/// Verdict, quantities, documentation, case, provenance and profiles of a run.
+/// The WheelDips of a run as its part "dips"; empty without any.
+Tree dips_tree(const RunRecord& run);
+
+/// Verdict, quantities, documentation, case, provenance, profiles and dips of a run.
 Tree head_tree(const RunRecord& run);
 
 /// The keys that the case gives or that have a default, by path; without [[subsurface.*]].

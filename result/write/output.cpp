@@ -148,6 +148,7 @@ std::string summary_json(const RunRecord& run) {
   json["case_checksum"] = checksum_of_case(run.input);
   json["program"] = {{"version", run.provenance.version}, {"commit", run.provenance.commit}};
   json["verdict"] = run.verdict;
+  json.update(json_of(dips_tree(run)));
   json["models"] = ordered_json::array();
   for (const contact::ModelResult& model : run.models)
     json["models"].push_back(model_json(model, run.input));

@@ -79,7 +79,7 @@ std::string summary_json(const RunRecord& run);
 /// refuse the file.
 inline constexpr int hdf5_format_version = 3;
 /// Incremented when something is added; readers of the version may ignore it.
-inline constexpr int hdf5_format_minor = 4;
+inline constexpr int hdf5_format_minor = 5;
 
 /// The bytes of results.h5: grid, fields per load point, scalars and provenance, self-describing
 /// (units, signs and descriptions are attributes and comments). The file is created in memory, so

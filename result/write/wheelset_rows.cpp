@@ -2,6 +2,7 @@
 #include "result/write/wheelset_rows.hpp"
 
 #include "result/write/columns.hpp"
+#include "result/write/contents.hpp"
 #include "result/write/csv.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <map>
 
 namespace rollfem::result {
 
@@ -148,6 +151,34 @@ WheelAt wheel_at(const RunRecord& run, const std::string& model, bool left, int 
       wheel.main = &patch;
   }
   return wheel;
+}
+
+std::vector<WheelDip> wheel_dips(const RunRecord& run) {
+  const std::vector<double>& along = run.input.wheelset.track_position;
+  std::vector<WheelDip> dips;
+  for (const std::string& model : model_names(run))
+    for (const bool left : {true, false}) {
+      std::map<double, double> way;  // position along the track -> height under load
+      for (std::size_t p = 0; p < along.size(); ++p) {
+        const WheelAt wheel = wheel_at(run, model, left, static_cast<int>(p) + 1, 0);
+        if (!wheel.main) continue;
+        if (const auto& height = wheel.main->points[headline(*wheel.main)].loaded_height)
+          way[along[p]] = *height;
+      }
+      const auto lowest = std::max_element(
+          way.begin(), way.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+      if (way.size() < 3 || lowest == way.begin() || lowest == std::prev(way.end())) continue;
+      double fall = 0.0, rise = 0.0;
+      for (auto to = std::next(way.begin()), from = way.begin(); to != way.end(); from = to++) {
+        const double slope = (to->second - from->second) / (to->first - from->first);
+        if (to->first <= lowest->first)
+          fall = std::max(fall, slope);
+        else
+          rise = std::max(rise, -slope);
+      }
+      dips.push_back({model, contact::side_word(left), lowest->first, lowest->second, fall + rise});
+    }
+  return dips;
 }
 
 std::optional<double> loaded_radius_difference(const WheelAt& left, const WheelAt& right) {

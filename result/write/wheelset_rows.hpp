@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A lateral sweep of a wheelset: the totals of each wheel's patches at each position.
+// What a run over positions says as a whole: the totals of each wheel's patches at each position,
+// the wheelset over its lateral shift, and how deep a wheel dips on its way.
 #pragma once
 
 #include "result/write/output.hpp"
@@ -37,6 +38,25 @@ struct WheelAt {
 /// `main` is null if the model has no such patch. `point` counts from 0.
 WheelAt wheel_at(const RunRecord& run, const std::string& model, bool left, int position,
                  std::size_t point);
+
+/// Where a wheel on its way along the track is lowest under its load, and how sharply it turns.
+struct WheelDip {
+  std::string model, wheel;
+  double track_position = 0.0, loaded_height = 0.0, dip_angle = 0.0;
+
+  static constexpr contact::Listed listed = contact::Listed::as_table;
+  static constexpr auto members() {
+    using contact::member;
+    using D = WheelDip;
+    return std::tuple(member("model", &D::model), member("wheel", &D::wheel, "", "left or right"),
+                      member("track_position", &D::track_position, "mm", "where it is lowest"),
+                      member("loaded_height", &D::loaded_height, "mm", "there, down"),
+                      member("dip_angle", &D::dip_angle, "rad",
+                             "steepest fall before it and steepest rise after it, together"));
+  }
+};
+/// By model and wheel; without a wheel that is lowest at an end of its way.
+std::vector<WheelDip> wheel_dips(const RunRecord& run);
 
 /// Rolling radius of the right wheel minus that of the left one at the most loaded patches, mm.
 std::optional<double> loaded_radius_difference(const WheelAt& left, const WheelAt& right);

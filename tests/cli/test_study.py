@@ -41,6 +41,29 @@ def test_shows_the_order_of_the_half_spaces_pressure(rollfem):
     says(rollfem.call("report", "results/quick_study").err, "its checksum")
 
 
+def test_a_finer_level_is_the_reference_where_the_levels_show_no_limit(rollfem):
+    case, key = rollfem.case(QUICK), "traction_coefficient:2"
+
+    def rows_and_series(*more):
+        out = rollfem.done("study", case, "--levels", "2", "--reference", "finest", "--no-report", "-o", "out", *more).out
+        rows = [row for row in rollfem.rows("out/study.csv") if row["quantity"] == key]
+        return out, rows, rollfem.json("out/study.json")["places"][0]["series"][0]
+
+    out, rows, series = rows_and_series()
+    rollfem.done("run", case, "-m", "halfspace", "--set", "contact_grid.elements_across=20", "-o", "fine")  # the levels: 5, 10
+    fine = rollfem.models("fine")[0]["points"][1]["traction_coefficient"]
+    level, = series["reference_level"]
+    assert (level["label"], series["references"][key]["kind"]) == ("20 across", "finer level") and level["seconds"] > 0
+    says(out, "(20 across)")
+    assert len(rows) == 2
+    for row in rows:
+        assert float(row["error"]) == pytest.approx(abs(float(row["value"]) - fine) / 0.55, rel=1e-6) and float(row["error"]) > 1e-6
+    out, rows, series = rows_and_series("--reference-seconds", "0")
+    assert series["reference_level"] == [] and float(rows[1]["error"]) == 0.0
+    out, rows, series = rows_and_series("--reference-seconds", "1e-9")
+    says(out, "no finer level as a reference: 20 across would take some")
+
+
 def test_follows_the_creepage_found_for_a_force(rollfem):
     # For a small force on a circle with nu = 0.25: Kalker's C11 = 4.12 (1967, table of the thesis), with the part of
     # Vermeulen and Johnson's law that is beyond linear.
@@ -129,7 +152,7 @@ def test_refuses_what_makes_no_sense_for_patches(rollfem, more, part):
 
 
 def study(case, folder, *more):
-    return "study", case, "-o", folder, "--no-report", *(more or ("-q", "--levels", "4"))
+    return "study", case, "-o", folder, "--no-report", "--reference-seconds", "0", *(more or ("-q", "--levels", "4"))
 
 
 def levels_and_points(unfinished):
@@ -220,7 +243,8 @@ def test_levels_begin_where_the_patch_has_enough_cells(rollfem):
     # Hertz: 2 b = 9.09 mm, in which cells of 3.2 mm fit 2.8 times.
     case = SMALL | {"load.normal_force": 60e3, "wheel.rolling_radius": 460.0, "wheel.transverse_radius": math.inf,
                     "rail.transverse_radius": 300.0, "rolling.longitudinal_creepage": 0.0, "fem.cell_size": 0.8}
-    rollfem.done("study", rollfem.case(case), "--model", "fem", "--no-report", "-o", "out")
+    outcome = rollfem.done("study", rollfem.case(case), "--model", "fem", "--no-report", "--reference-seconds", "0", "-o", "out")
+    assert "study: fem 1.6 mm: " in outcome.err and "study: fem 3.2 mm: " not in outcome.err  # which is not solved
     series, = rollfem.json("out/study.json")["places"][0]["series"]
     says(series["left_out"], "3.2 mm: only 2.8 cells across the patch")
     assert [level["parameter"] for level in series["levels"]] == [1.6, 0.8]

@@ -4,6 +4,8 @@ sweep; wheels on crossings, above their rail and off it; contacts on the built-i
 
 import math
 
+import h5py
+import numpy as np
 import pytest
 from program import SOURCE, TWO_POSITIONS, WHEEL_ON_RAIL, says
 
@@ -69,6 +71,11 @@ def test_run_solves_every_patch_and_row_has_one_line_a_position_with_both_wheels
     assert first["left lateral_force_track"] == pytest.approx(-first["right lateral_force_track"], abs=0.01)
     assert first["left vertical_force"] == pytest.approx(100e3, abs=1.0)
     assert list(first.values())[4] == 1  # load points count from 1
+    with h5py.File(rollfem.work / "out/results.h5") as file:
+        for position in (1, 3):  # each on the section of the rail where the wheel is
+            rail, wheel = (np.array(sorted(file[f"profiles/{side}_{position}/{part}"][()].tolist())) for part in ("rail", "wheel"))
+            apart = np.interp(rail[:, 0], *rail.T) - np.interp(rail[:, 0], *wheel.T)
+            assert min(apart) == pytest.approx(0.0, abs=0.03), position
     contacts = list(map(numbers, rollfem.rows("out/contacts.csv")))
     assert len(contacts) == 4
     for contact, model in zip(contacts, models):
@@ -137,18 +144,22 @@ def test_a_wheel_above_its_rail_carries_nothing(rollfem):
     assert rollfem.models("none") == []
 
 
-def test_the_load_moves_from_the_wing_to_the_nose_of_a_crossing(rollfem):
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_the_load_moves_from_the_wing_to_the_nose_of_a_crossing(rollfem, side):
     crossing = SOURCE / "cases/crossing.toml"
     check = rollfem.done("check", crossing)
     says(check.out, "where wheel and rail touch")
     assert check.err == ""
-    out = rollfem.done("run", crossing, "-o", "out", "--set", "contact_grid.elements_across=8", "--set",
+    out = rollfem.done("run", crossing, "-o", "out", "--set", "contact_grid.elements_across=8", "--set", f'placement.side="{side}"', "--set",
                        "placement.track_position=[50.0, 80.0, 110.0]").out
     says(out, "along mm", "height mm")
     assert "shift mm" not in out and "lateral mm" not in out  # the same at every position
-    at, down = zip(*((float(row["track_position"]), float(row["right loaded_height"])) for row in rollfem.rows("out/wheelset.csv")))
+    at, down = zip(*((float(row["track_position"]), float(row[f"{side} loaded_height"])) for row in rollfem.rows("out/wheelset.csv")))
     dip = 1e3 * ((down[1] - down[0]) / (at[1] - at[0]) + (down[1] - down[2]) / (at[2] - at[1]))
-    says(out, f"right wheel: lowest at 80 mm, {down[1]:.3f} mm down; dip angle {dip:.2f} mrad")
+    says(out, f"{side} wheel: lowest at 80 mm, {down[1]:.3f} mm down; dip angle {dip:.2f} mrad")
+    stored, = rollfem.json("out/summary.json")["dips"]
+    assert stored == {"model": "halfspace", "wheel": side, "track_position": 80.0, "loaded_height": pytest.approx(down[1], rel=1e-9),
+                      "dip_angle": pytest.approx(1e-3 * dip, rel=1e-6)}
     contacts = list(map(numbers, rollfem.rows("out/contacts.csv")))
     assert len(contacts) == 4
     wing, nose = ({each["track_position"]: each["vertical_force"] for each in contacts if (each["y_rail"] > 40) == on_wing}
@@ -160,7 +171,7 @@ def test_the_load_moves_from_the_wing_to_the_nose_of_a_crossing(rollfem):
     assert [wing[50.0], wing[80.0] + nose[80.0], nose[110.0]] == pytest.approx([80e3] * 3, abs=80.0)
     assert min(wing[80.0], nose[80.0]) > 15e3
     rows = rollfem.rows("out/wheelset.csv")
-    assert len(rows) == 3 and (rows[1]["track_position"], rows[1]["right patches"]) == ("80", "2")
+    assert len(rows) == 3 and (rows[1]["track_position"], rows[1][f"{side} patches"]) == ("80", "2")
     says(rollfem.text("out/report.html"), "position along the track [mm]", "followed from position to position",
          "contact at y = 64 to 65 mm on the rail")
     says(rollfem.text("out/figures/positions.svg"), "height of the wheel")

@@ -166,6 +166,37 @@ def creep_curves():
         call("cntc_finalize", 15)
 
 
+def few_elements():
+    """Sums over few elements find what transforms find on the same elements of a larger potential contact area."""
+    begin(17, 3)
+    begin(18, 3)
+    few, many, margin = 15, 31, 8
+    for radius, (xi, eta) in ((50.0, (3e-4, -1e-4)), (80.0, (1e-4, 2e-4)), (80.0, (5e-2, 0.0))):
+        for ire in (17, 18):
+            sphere(ire, mx=few, radius=radius)
+        mx, my, x, y, dx, dy = array("cntc_getpotcontact", 17, 1, length=6) if solved(17) else [0.0] * 6
+        assert (mx, my) == (few, few)
+        call("cntc_setpotcontact", 18, 1, 1, 6, [float(many), float(many), x - (margin + 0.5) * dx, y - (margin + 0.5) * dy, dx, dy])
+        call("cntc_setundeformeddistc", 18, 1, 1, 6, [0.5 / radius, 0.0, 0.5 / radius, 0.0, 0.0, 0.0])
+        for ire in (17, 18):
+            call("cntc_setcreepages", ire, 1, xi, eta, 1e-4)
+            assert calculate(ire, 1) == 0
+        for field in (1, 3, 4, 5, 7, 8, 9, 15, 16):
+            here, there = (array("cntc_getfielddata", ire, 1, field, length=n * n) for ire, n in ((17, few), (18, many)))
+            inside = [there[(j + margin) * many + i + margin] for j in range(few) for i in range(few)]
+            scale = max(map(abs, inside))
+            assert max(abs(a - b) for a, b in zip(here, inside)) < 1e-4 * scale, (radius, xi, field)
+        for a, b in zip(*(reals("cntc_getcontactforces", ire, 1, count=4) for ire in (17, 18))):
+            assert abs(a - b) < 1e-2, (radius, xi, a, b)
+        near(reals("cntc_getpenetration", 17, 1), reals("cntc_getpenetration", 18, 1), 1e-6, "approach")
+    call("cntc_finalize", 17)
+    call("cntc_finalize", 18)
+
+
+def solved(ire):
+    return calculate(ire, 1) == 0
+
+
 def reals_of_creepage(ire, xi, eta):
     call("cntc_setcreepages", ire, 1, xi, eta, 0.0)
     assert calculate(ire, 1) == 0
@@ -500,7 +531,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         work = pathlib.Path(folder)
-        for test in (closed_forms, creep_curves, steps, heat_and_no_friction, sensitivities, both_sides, threads):
+        for test in (closed_forms, creep_curves, few_elements, steps, heat_and_no_friction, sensitivities, both_sides, threads):
             test()
             print(f"{test.__name__}: ok")
         bad_calls(work / "contact_addon.out")
@@ -509,4 +540,5 @@ def main():
         os.chdir("/")
 
 
-main()
+if __name__ == "__main__":
+    main()

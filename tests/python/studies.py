@@ -220,6 +220,31 @@ class Studies(unittest.TestCase):
         self.assertEqual(refinement.verdict(self.record), "Finest levels against their references: halfspace (grid) p0 0.016 %, "
                          "-F_x/F_z 0.31 % of mu. Of 2 sequences of levels 2 show an order.")
 
+    def test_a_finer_level_gives_the_finest_an_error(self):
+        # 0.19, 0.196, ... scatter, so that the finest of them would be its own reference.
+        series, key = self.place.series[0], "traction_coefficient:2"
+        for level, value in zip(series.levels, (0.19, 0.196, 0.1945, 0.1962)):
+            level.values[key] = value
+        self.assertEqual(references(self.record)[key].kind, "finest")
+        self.assertTrue(self.record.ends_in_itself(self.place, series))
+        series.reference = refinement.Level("<160>", 0.0, 25600, 0, 25.6, {"max_pressure": 100 + 4.0**-4, key: 0.1958})
+        found = references(self.record)[key]
+        self.assertEqual((found.kind, found.value), ("finer level", 0.1958))
+        self.assertFalse(self.record.ends_in_itself(self.place, series))
+        rows = [row for row in rows_of(refinement.study_csv(self.record))[1] if row["quantity"] == key]
+        np.testing.assert_allclose([float(row["error"]) for row in rows], np.abs([0.0058, -0.0002, 0.0013, -0.0004]) / 0.4, rtol=1e-9)
+        self.assertIn("0.1 % of mu", refinement.table(self.record))  # 0.0004 of 0.4
+        written = json.loads(refinement.study_json(self.record))["places"][0]["series"][0]
+        self.assertEqual([level["label"] for level in written["reference_level"]], ["<160>"])
+        self.assertEqual(len(written["levels"]), 4)
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in {"study.json": refinement.study_json(self.record), "study.csv": refinement.study_csv(self.record)}.items():
+                with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                    file.write(text)
+            build(folder)
+            with open(os.path.join(folder, "study.html"), encoding="utf-8") as file:
+                self.assertIn("reference, finer level &lt;160&gt;", file.read())
+
     def test_one_level_has_no_order_and_breaks_nothing(self):
         series = self.place.series[0]
         series.levels, series.ratio, self.place.exact = series.levels[:1], 0.0, {}

@@ -48,7 +48,7 @@ ALLOWED = {
     "app": {**SOLVER, "result": ANY, "halfspace": ANY, "hybrid": ANY, "modelling": ANY, "convert": ANY, "meshes": ANY,
             "profiles": ANY, "track": ANY, "tables": ANY, "theories": ANY, "fem": {"elasticity"}},
     "bindings/interface": {**SOLVER, "result": ANY, "modelling": ANY},
-    "bindings/python": {**SOLVER, "result": ANY, "bindings": {"interface"}, "halfspace": {"closed_forms", "stress"},
+    "bindings/python": {**SOLVER, "result": ANY, "bindings": {"interface"}, "halfspace": {"closed_forms", "patch", "stress"},
                         "profiles": ANY, "track": ANY, "modelling": ANY, "tables": ANY},
     "bindings/capi": {**SOLVER, "track": {"pair"}, "tables": {"files"}},
     "bindings/contact": {**SOLVER, "halfspace": ANY, "theories": {""}, "profiles": ANY, "track": ANY, "convert": ANY},

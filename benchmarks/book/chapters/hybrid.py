@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The hybrid against the limit of finite elements, and error against cost of half-space, hybrid and finite elements."""
 import json
+import math
 import os
 import sys
 
@@ -115,10 +116,14 @@ def _figure(bench, record, series):
             model = line[0][0][0]
             places = [(seconds, _error(record, result, quantity, scale)) for (result, seconds), _ in line]
             axis.loglog(*zip(*places), marker=style.marker(model), markersize=5, label=style.label(model), **style.line(model))
+            notes = {}  # of places that lie on each other: one
             for place, (_, note) in zip(places, line):
-                axis.annotate(note, place, textcoords="offset points", xytext=(4, 4), fontsize="x-small", color=style.GREY)
-        axis.axhspan(1e-4, _unsure(record, quantity, scale), color="#eeeeee", zorder=0)
-        axis.axhline(asked, color=style.GREY, linewidth=0.8, linestyle=":")
+                notes.setdefault(tuple(round(math.log10(value), 1) for value in place), (place, []))[1].append(note)
+            for place, together in notes.values():
+                axis.annotate(", ".join(together), place, textcoords="offset points", xytext=(7, 0), va="center",
+                              fontsize="x-small", color=style.GREY)
+        axis.axhspan(1e-4, _unsure(record, quantity, scale), color="#eeeeee", zorder=0, label="uncertainty of the limit")
+        axis.axhline(asked, color=style.GREY, linewidth=0.8, linestyle=":", label="required")
         axis.set_ylim(5e-3, 5)
         axis.set_xlabel("CPU seconds")
         axis.set_ylabel(words)

@@ -98,7 +98,7 @@ def nowell_hills(bench):
         axis.plot(rollers.node, np.pi * state["q"] / 0.05 * rollers.over_hertz(state), color="#0072B2", linewidth=1.4,
                   label=r"traction over $\mu$")
         stuck = state["side"] == 0
-        axis.fill_between(rollers.node, -1.1, 1.2, where=stuck, color="#56B4E9", alpha=0.25, linewidth=0)
+        axis.fill_between(rollers.node, -1.1, 1.2, where=stuck, color="#56B4E9", alpha=0.25, linewidth=0, label="adhesion")
         axis.set_ylim(-1.1, 1.2)
         axis.set_title(f"$F_x = {ratio:g}\\,\\mu P$", fontsize=9)
         axis.set_xlabel("x/a, rolling to the right")
@@ -107,12 +107,13 @@ def nowell_hills(bench):
     ratios = np.linspace(-0.96, 0.96, 1 if bench.small else 17)
     for friction, ink in ((0.05, "#0072B2"), (0.1, "#D55E00"), (0.3, "#009E73")):
         rollers = unlike_cylinders.Rollers(beta, friction, 80)
-        axes[2].plot(ratios, [-1e3 * rollers.creepage(rollers.roll(ratio=r)) * scale for r in ratios], color=ink,
+        axes[2].plot(ratios, [-1e2 * rollers.creepage(rollers.roll(ratio=r)) * scale for r in ratios], color=ink,
                      linewidth=1.2, label=rf"$\mu = {friction:g}$")
         mine = [(r, found[k][0]) for k, (mu, r, _) in enumerate(UNLIKE_ROLLING) if mu == friction]
-        axes[2].plot([r for r, _ in mine], [1e3 * xi for _, xi in mine], linestyle="none", marker="o", markersize=4, color=ink)
-    axes[2].set_xlabel(r"$F_x/(\mu P)$")
-    axes[2].set_ylabel(r"$-\xi$ [0.1 %]")
+        axes[2].plot([r for r, _ in mine], [1e2 * xi for _, xi in mine], linestyle="none", marker="o", markersize=4, color=ink)
+    axes[2].plot([], [], color=style.GREY, linewidth=1.2, label="quadrature")
+    axes[2].plot([], [], color=style.GREY, linestyle="none", marker="o", markersize=4, label="200 elements")
+    axes[2].set(xlabel=r"$F_x/(\mu P)$", ylabel=r"$-\xi$ [%]")
     axes[2].legend(fontsize="small")
     figure.tight_layout()
     return Chapter(

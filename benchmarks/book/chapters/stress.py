@@ -104,9 +104,11 @@ def stress_circle(bench):
             (measures(stress)["von_mises"], np.abs(vertical - radial), "von Mises", "#009E73")):
         axis.plot(exact_values / p0, depth / a, color=ink, linewidth=1.2, label=words)
         axis.plot(values[::5] / p0, depth[::5] / a, linestyle="none", marker="o", markersize=3, color=ink)
+    axis.plot([], [], color=style.GREY, linewidth=1.2, label="closed form")
+    axis.plot([], [], color=style.GREY, linestyle="none", marker="o", markersize=3, label="half-space")
     axis.invert_yaxis()
     axis.set_xlabel("stress over $p_0$")
-    axis.set_ylabel("depth over a")
+    axis.set_ylabel("depth over $a$")
     axis.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3)
     name = bench.save(figure, "stress_circle")
     return Chapter(

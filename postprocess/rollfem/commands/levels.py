@@ -45,6 +45,7 @@ class Wishes:
     levels: int = 0  #: 0: as the model has it
     quantities: Collection[str] = ()  #: followed in addition, at the headline of a level
     references: Collection[str] = ()  #: exact, finest, extrapolated, QUANTITY=VALUE, with several patches PLACE.QUANTITY=VALUE
+    reference_seconds: float = 60.0  #: most that a level finer than the finest may be expected to take; 0: none
 
     @property
     def all(self) -> bool:
@@ -183,6 +184,7 @@ def _solved(level: Level, result: _core.Result, seconds: float, axes: tuple[str,
         raise InputError(f"--quantity {lacking.pop()}: is not there; allowed here: {', '.join(there) or 'none'}; do: set output.stress_maxima, "
                          "or correct it")
     level.unknowns, level.contact_elements, level.seconds = model.unknowns, model.contact_elements, seconds
+    level.shared = model.seconds.get("correction", 0.0)
     level.values = {key: point.scalars[name] for key, point, name in numbers}
     level.bars = {key: point.error_estimate[name] for key, point, name in numbers if name in point.error_estimate}
     level.no_bars = {key: point.no_bar[name] for key, point, name in numbers if name in point.no_bar}
@@ -266,6 +268,8 @@ class Study:
             return series
         numbers = [k for k in range(plan.count) if work.holds(k)]
         refined = [_core.refined(scene, series.model, plan.ways, k, plan.count) for k in numbers]
+        if plan.ways == ["cell"]:
+            refined = _fine_enough(refined, _core.patch_size(scene) or math.inf, series)
         groups = [[one] for one in refined] if on_all_threads else [refined]
         for group in groups:
             for level, why, too_coarse in self._levels(group, series, place):
@@ -278,11 +282,34 @@ class Study:
                     setattr(series, said, f"{list_of}{'; ' * bool(list_of)}{level.label}: {why}")
                 if series.levels and work.whole:
                     return series
-        if plan.ways == ["cell"] and len(series.levels) == len(refined):
-            _drop_coarse(series, place)
+        most = max((level.shared for level in series.levels), default=0.0)
+        for level in series.levels:  # from a cold start, each
+            level.seconds += most - level.shared
+        if work.whole and len(series.levels) == len(refined):
+            self._add_reference(plan, scene, place)
         if not series.levels and series.left_out:
             series.failure, series.left_out = "; ".join(filter(None, (series.failure, series.left_out))), ""
         return series
+
+    def _add_reference(self, plan: Plan, scene: _core.Scene, place: Place) -> None:
+        """Solves a level beyond the finest where the levels show no limit, so that the finest has an error, too. Collective for a
+        parallel model."""
+        series, work = plan.series, self.work
+        if not series.ratio > 1 or len(series.levels) < 2 or not self.wishes.reference_seconds:
+            return
+        before, finest = (max(level.seconds, 1e-3) for level in series.levels[-2:])
+        seconds = finest * max(finest / before, series.ratio**2) * self.record.ends_in_itself(place, series)
+        if known()[series.model]["parallel"]:
+            seconds = float(work.from_first(repr(seconds)))
+        if not seconds:
+            return
+        wanted = _core.refined(scene, series.model, plan.ways, plan.count, plan.count)
+        if seconds > self.wishes.reference_seconds:
+            series.no_reference = (f"{wanted[0]} would take some {seconds:.2g} s, more than reference-seconds = "
+                                   f"{self.wishes.reference_seconds:g}")
+            return
+        (level, why, _), = self._levels([wanted], series, place)
+        series.reference, series.no_reference = None if why else level, f"{level.label}: {why}" if why else ""
 
     def _levels(self, wanted: Sequence[tuple[str, float, _core.Scene]], series: Series,
                 place: Place) -> list[tuple[Level, str, bool]]:
@@ -324,13 +351,12 @@ class Study:
         return True
 
 
-def _drop_coarse(series: Series, place: Place) -> None:
-    """Drops the first levels of finite elements with few cells across the patch, whose size the finest level knows."""
-    size = min(series.levels[-1].values.get(name, math.inf) * (2 if name.startswith("semi") else 1) for name in _axes(place))
-    while len(series.levels) > 1 and size < FEWEST_CELLS * series.levels[0].parameter:
-        level = series.levels.pop(0)
-        series.left_out += (f"{'; ' * bool(series.left_out)}{level.label}: only {size / level.parameter:.2g} cells across the patch; "
-                            "do: give a smaller fem.cell_size")
+def _fine_enough(levels: list[tuple[str, float, _core.Scene]], size: float, series: Series) -> list[tuple[str, float, _core.Scene]]:
+    """Without the levels of few cells across a patch of this size, which the series names; at least the finest."""
+    coarse = [level for level in levels[:-1] if size < (FEWEST_CELLS - 1e-6) * level[1]]
+    series.left_out = "; ".join(f"{label}: only {size / cell:.2g} cells across the patch; do: give a smaller fem.cell_size"
+                                for label, cell, _ in coarse)
+    return levels[len(coarse):]
 
 
 def _record_name(place: Place, series: Series, level: Level) -> str:

@@ -100,7 +100,7 @@ def study(given: Given) -> bool:
     words = _settled(given, "study", "model", "vary", "quantity", "reference")
     file = words["case"][0]
     wishes = Wishes(words["model"], words["vary"], "together" in given, int(given.get("levels", ["0"])[0]), words["quantity"],
-                    words["reference"])
+                    words["reference"], float(given.get("reference-seconds", [Wishes.reference_seconds])[0]))
     folder = given.get("output", [os.path.join("results", f"{_stem(file)}_study")])[0]
     asked, drawn = _asked(given), True
 

@@ -168,6 +168,7 @@ class Level:
     bars: Values = field(default_factory=dict)  #: the model's own error bars, absolute
     no_bars: dict[str, str] = field(default_factory=dict)  #: why a value has none
     noise: float = 0.0  #: relative tolerance reached by its solver
+    shared: float = 0.0  #: seconds for what the first level prepares for all
 
 
 @dataclass
@@ -176,7 +177,7 @@ class Reference:
 
     value: float = 0.0
     uncertainty: float = 0.0  #: absolute; 0: exact or given
-    kind: str = ""  #: "exact", "given", "extrapolated", "finest"
+    kind: str = ""  #: "exact", "given", "extrapolated", "finer level", "finest"
 
 
 @dataclass
@@ -190,6 +191,8 @@ class Series:
     measures_others: bool = False  #: models differ from it, if it has three levels
     limit_of_its_own: bool = False  #: finite bodies do not tend to the closed form
     levels: list[Level] = field(default_factory=list)  #: coarsest first
+    reference: Level | None = None  #: finer than the finest level: only where the levels' errors need it
+    no_reference: str = ""  #: why there is none although they need it
     failure: str = ""  #: why levels failed
     left_out: str = ""  #: coarse levels that do not fit the case, and why
 
@@ -205,17 +208,20 @@ class Series:
         return [level.values[key] for level in self.levels if key in level.values]
 
     def limit(self, key: str) -> Limit | None:
-        """None with fewer than two levels or without a ratio."""
-        values = self.values(key)
-        if len(values) < 2 or not self.ratio > 1:
+        """From the levels and the reference; None with fewer than two or without a ratio."""
+        levels = [level for level in (*self.levels, self.reference) if level and key in level.values]
+        if len(levels) < 2 or not self.ratio > 1:
             return None
-        return limit_of(values, self.ratio, self.levels[-1].noise * abs(values[-1]))
+        values = [level.values[key] for level in levels]
+        return limit_of(values, self.ratio, levels[-1].noise * abs(values[-1]))
 
     def own_limit(self, key: str, finest: bool) -> Reference:
         """The limit of the series; of a single level its value."""
         limit = self.limit(key)
         if limit and limit.order is not None and not finest:
             return Reference(limit.value, limit.uncertainty, "extrapolated")
+        if limit and self.reference and key in self.reference.values:
+            return Reference(self.reference.values[key], limit.uncertainty_of_finest, "finer level")
         return Reference(self.values(key)[-1], limit.uncertainty_of_finest if limit else 0.0, "finest")
 
 
@@ -293,6 +299,11 @@ class Record:
             elif self.rule != "exact":
                 found[key] = series.own_limit(key, self.rule == "finest")
         return found
+
+    def ends_in_itself(self, place: Place, series: Series) -> bool:
+        """Whether the finest level is the reference of a quantity that still changes."""
+        return any(reference.kind == "finest" and not ((limit := series.limit(key)) and limit.settled)
+                   for key, reference in self.references(place, series).items())
 
     def differences(self, place: Place, series: Series) -> dict[str, tuple[float, float]]:
         """The limits of a model less those of `Place.base`, and the uncertainty of both: relative to the latter, for
@@ -405,11 +416,12 @@ def _key_table(record: Record, place: Place, series: Series, key: str, reference
     unit = f" {unit}" if unit != "-" else ""
     # Labels of quantities refined together are long.
     width = max(len(text) for text in (series.parameter, *(level.label for level in series.levels)))
-    lines = [f"  {_name_of(place, key)}, reference {reference.value:.7g}{unit} ({reference.kind})",
+    finer = series.reference if reference.kind == "finer level" else None
+    lines = [f"  {_name_of(place, key)}, reference {reference.value:.7g}{unit} ({finer.label if finer else reference.kind})",
              f"    {series.parameter:<{width}}{'unknowns':>10}{'seconds':>10}{'value':>14}{'bar':>14}{'error':>16}{'order':>8}"]
     levels = [level for level in series.levels if key in level.values]
-    for level, order in zip(levels, record.orders(series, key, reference)):
-        own = level is levels[-1] and reference.kind == "finest"
+    for level, order in zip([*levels, *[finer] * bool(finer)], [*record.orders(series, key, reference), None]):
+        own = level is finer or level is levels[-1] and reference.kind == "finest"
         value, bar = level.values[key], level.bars.get(key)
         error = "reference" if own else percent(key, record.error(key, value, reference))
         lines.append(f"    {level.label:<{width}}{level.unknowns:>10}{level.seconds:>10.3g}{value:>14.7g}"
@@ -425,6 +437,7 @@ def table(record: Record) -> str:
         text += f"{place.name}{': ' * bool(place.name)}{series.model}{f', refined in {series.vary}' * bool(series.vary)}\n"
         text += f"  too coarse: {series.left_out}\n" if series.left_out else ""
         text += f"  levels without a result: {series.failure}\n" if series.failure else ""
+        text += f"  no finer level as a reference: {series.no_reference}\n" if series.no_reference else ""
         for key, reference in record.references(place, series).items():
             text += _key_table(record, place, series, key, reference)
             if key in differences:
@@ -452,10 +465,10 @@ def _series_data(record: Record, place: Place, series: Series) -> dict[str, Any]
     differences = {key: {"value": value, "uncertainty": uncertainty, "relative_to": percent_of(key)}
                    for key, (value, uncertainty) in record.differences(place, series).items()}
     levels = [{name: getattr(level, name) for name in ("label", "parameter", "unknowns", "contact_elements", "seconds")}
-              for level in series.levels]
-    names = ("model", "vary", "parameter", "ratio", "measures_others", "failure", "left_out")
+              for level in (*series.levels, *[series.reference] * bool(series.reference))]
+    names = ("model", "vary", "parameter", "ratio", "measures_others", "failure", "left_out", "no_reference")
     found = {**{name: getattr(series, name) for name in names},
-             "levels": levels, "limits": limits, "references": _references_data(references)}
+             "levels": levels[:len(series.levels)], "reference_level": levels[len(series.levels):], "limits": limits, "references": _references_data(references)}
     return {**found, "model_differences": differences} if differences else found
 
 

@@ -47,12 +47,6 @@ def tick_text(value, step):
     return f"{value:.{digits}f}".replace("-", MINUS)
 
 
-def decade_text(exponent):
-    if -3 <= exponent <= 4:
-        return f"{10.0 ** exponent:g}"
-    return "10" + _raised(exponent)
-
-
 def even_marks(low, high, step):
     """[(value, text)] of ticks at the multiples of a step."""
     return [(n * step, tick_text(n * step, step))
@@ -129,7 +123,8 @@ class Axis:
         if self.log:
             first, last = round(math.log10(low)), round(math.log10(high))
             every = max(1, math.ceil((last - first) * (34 if across else 22) / pixels))
-            return [(10.0 ** e, decade_text(e)) for e in range(first, last + 1, every)]
+            plain = -3 <= first and last <= 4  # never both on one axis
+            return [(10.0 ** e, f"{10.0 ** e:g}" if plain else "10" + _raised(e)) for e in range(first, last + 1, every)]
         step = nice_step(high - low, max(2, pixels / (20 if across else 30)))
         while True:
             found = even_marks(low, high, step)
@@ -164,7 +159,6 @@ def _spots(marker, r):
             "h": [(0, -r), (k, -r / 2), (k, r / 2), (0, r), (-k, r / 2), (-k, -r / 2)],
             "*": [(0, -r), (r / 3, -r / 3), (r, 0), (r / 3, r / 3), (0, r), (-r / 3, r / 3), (-r, 0),
                   (-r / 3, -r / 3)],
-            "P": [(-r, 0), (r, 0), (0, 0), (0, -r), (0, r), (0, 0)],
             "+": [(-r, 0), (r, 0), (0, 0), (0, -r), (0, r), (0, 0)],
             "x": [(-k, -k), (k, k), (0, 0), (-k, k), (k, -k), (0, 0)]}[marker]
 
@@ -240,7 +234,7 @@ class Panel:
         runs = np.split(known, np.flatnonzero(np.diff(known) > 1) + 1) if joined else []
         self.paths([np.stack([x[run], y[run]], axis=1) for run in runs], colour, width, dash, opacity, order=order)
         if marker:
-            fill = None if hollow == "open" or marker in "xP+" else "ground" if hollow else colour
+            fill = None if hollow == "open" or marker in "x+" else "ground" if hollow else colour
             self._markers(x[whole], y[whole], marker, size, strokes(colour, 1.2, (), fill, _SCALE), opacity, order=order)
 
     def spots(self, pairs, joined=False, **look):
@@ -427,7 +421,7 @@ class Figure:
             return ""
         text = f'<path {strokes(colour, width, dash)} d="M1 6h24"/>' if width else ""
         if marker:
-            filled = None if hollow == "open" or marker in "xP+" else "ground" if hollow else colour
+            filled = None if hollow == "open" or marker in "x+" else "ground" if hollow else colour
             text += f'<path {strokes(colour, 1.2, (), filled)} d="{marker_path(marker, [13], [6], 3)}"/>'
         return text
 

@@ -295,27 +295,13 @@ def plan(result):
     return figure.tell("Patches on the rail from above: ", [f"{over.label} {low[0]:.4g} to {high[0]:.4g}, y {low[1]:.4g} to {high[1]:.4g} mm"])
 
 
-def dip(result):
-    """(lowest height under load in mm, where, dip angle in mrad) of each wheel over a way along the track: the steepest fall of
-    the wheel before its lowest place and the steepest rise after it, together. Empty where it is lowest at an end."""
-    over, found = along(result), {}
-    for wheel, *_ in WHEELS if over.what.startswith("position along") else ():
-        heights = {over.at[m.place["position"]]: _height(m) for m in result.models
-                   if m.name == reference_of_row(result) and m.headline and m.place["wheel"] == wheel}
-        at, down = (np.array(part) for part in zip(*sorted(heights.items()))) if heights else (np.zeros(0), np.zeros(0))
-        lowest = int(down.argmax()) if len(down) else 0
-        if 0 < lowest < len(down) - 1:
-            slopes = np.diff(down) / np.diff(at)
-            found[wheel] = float(down[lowest]), float(at[lowest]), 1e3 * float(max(slopes[:lowest]) - min(slopes[lowest:]))
-    return found
-
-
 def dip_rows(result, columns):
     """Rows of a table with so many columns of numbers."""
-    found = dip(result)
-    return [row for wheel, (low, where, angle) in found.items() for row in (
-        [f"{wheel} wheel lowest, under load [mm down]", *[""] * (columns - 1), under(tables.number(low, 3), f"at {tables.plain(where)} mm")],
-        [under("dip angle [mrad]", "steepest fall before it and rise after it, together"), *[""] * (columns - 1), tables.number(angle, 3)])]
+    return [row for dip in result.dips if dip["model"] == reference_of_row(result) for row in (
+        [f"{dip['wheel']} wheel lowest, under load [mm down]", *[""] * (columns - 1), under(
+            tables.number(dip["loaded_height"], 3), f"at {tables.plain(dip['track_position'])} mm")],
+        [under("dip angle [mrad]", "steepest fall before it and rise after it, together"), *[""] * (columns - 1),
+         tables.number(1e3 * dip["dip_angle"], 3)])]
 
 
 # Columns of the table of contacts: heading, member of the place, factor, significant digits (None: as given).

@@ -122,10 +122,13 @@ def _without_gaps(position, y, z):
     return position, y, z
 
 
+RUNNING = 6.0  # mm below the top, of the map: where wheels run, so that small differences show
+
+
 def draw_sections(title, columns, unit):
     """Sections along the way: some of them over y with their features, and a map of all, on which the features are
     lines: the height seen from above, or how far a wheel is out of round. `unit`: of the position."""
-    where, what = (("position along the track [mm]", "height of the surface, up [mm]") if unit == "mm" else
+    where, what = (("position along the track [mm]", f"height of the surface, upper {RUNNING:g} mm [mm]") if unit == "mm" else
                    ("angle about the axle [rad]", "radius, less that of the first section [mm]"))
     at, count = np.unique(columns["position"], return_counts=True)
     position, part, y, z = (columns[name].reshape(len(at), count[0]) for name in ("position", "part", "y", "z"))
@@ -143,7 +146,8 @@ def draw_sections(title, columns, unit):
                       "$y$, to the field side [mm]")
     plan.x.limits, plan.y.limits = (at[0], at[-1]), (np.nanmin(y), np.nanmax(y))
     ways, places, heights = _without_gaps(position, y, z)
-    levels, step = filled(plan, ways.T, places.T, -heights.T if unit == "mm" else (heights - heights[0]).T)
+    values = np.maximum(-heights.T, np.max(-heights) - RUNNING) if unit == "mm" else (heights - heights[0]).T
+    levels, step = filled(plan, ways.T, places.T, values)
     for joint in joints:
         known = ~np.isnan(y[:, joint])
         plan.line(at[known], y[known, joint], "ground", 2.0)

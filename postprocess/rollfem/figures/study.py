@@ -204,7 +204,9 @@ def _series_table(place, series):
             + [_value_cell(place, series, level, k) for k in keys] for level in series["levels"]]
     if series["limits"]:
         rows.append(["limit", "", ""] + [_limit_cell(series["limits"].get(k)) for k in keys])
-    rows.append(["reference", "", ""] + [_reference_cell(series["references"].get(k)) for k in keys])
+    finer = [[f"reference, finer level {escape(level['label'])}", tables.grouped(level["unknowns"]), tables.number(level["seconds"], 3)]
+             for level in series.get("reference_level", [])]
+    rows.append([*finer, ["reference", "", ""]][0] + [_reference_cell(series["references"].get(k)) for k in keys])
     if differences := series.get("model_differences"):
         rows.append([f"model difference from {escape(styles.label(place['reference']))}", "", ""]
                     + [_difference_cell(k, differences.get(k)) for k in keys])
@@ -229,7 +231,8 @@ def _overview(study):
 
 
 HINTS = """±: the model's own estimate; for limits, the uncertainty from the levels.
-The reference of a model is its own limit, unless a value is exact for it or given. Errors in percent of the reference,
+The reference of a model is its own limit, unless a value is exact for it or given; where the levels show no limit, a finer level
+that is solved for this alone. Errors in percent of the reference,
 of traction coefficients in percent of μ. Model difference: between the limits of two models, which no grid removes. Orders: from the
 errors of a level and the previous one if the reference is exact or given, otherwise from the last three values.
 Limit: Richardson's value of the three finest levels with its uncertainty; if these show no order (not monotone, or
@@ -268,7 +271,8 @@ def _place_part(study, place, drawn):
         parts.append(f"<{heading}>{escape(styles.label(series['model']))}{', refined in ' if series['vary'] else ''}"
                      f"{escape(series['vary'])}</{heading}>")
         for text, kind, said in ((series["failure"], "bad", "Levels without a result"),
-                                 (series["left_out"], "hint", "Too coarse and left out")):
+                                 (series["left_out"], "hint", "Too coarse and left out"),
+                                 (series.get("no_reference"), "hint", "No finer level as a reference")):
             parts.append(f"<p class={kind}>{said}: {escape(text)}</p>" if text else "")
         parts.append(_series_table(place, series) if series["levels"] else "")
     title, body = escape(place["name"]), "".join(parts)

@@ -22,7 +22,7 @@ MODELS = {
     "fastrip": ("violet", (4.5, 1.5, 1.5, 1.5), "<"),
     "polach": ("wine", (1.5, 1.5, 4.5, 1.5), "h"),
     "strip": ("amber", (3, 1.5), "D"),
-    "carter": ("sky", (1.5, 1.5), "P"),
+    "carter": ("sky", (1.5, 1.5), ">"),
     "vermeulen-johnson": ("brown", (1.5, 3), "*"),
     "linear": ("grey", (7.5, 7.5), "+"),
 }

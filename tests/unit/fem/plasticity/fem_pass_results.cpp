@@ -126,8 +126,8 @@ std::vector<contact::PointResult> one_pass(YieldVerdict verdict, double strain, 
 
 TEST(PassResults, AVerdictIsThatOfTheFinerMeshAsFarAsBothResolveIt) {
   const auto flows = YieldVerdict::ratchetting, settles = YieldVerdict::settling;
-  const auto compared = [](auto coarse, auto fine) {
-    fem::compare_verdicts(coarse, fine);
+  const auto compared = [](auto coarse, auto fine, bool thick_rows = false) {
+    fem::compare_verdicts(coarse, fine, thick_rows);
     return fine.front().yielded.front();
   };
   const YieldedSection same = compared(one_pass(flows, 3e-3, 2e-3), one_pass(flows, 4e-3, 2.1e-3));
@@ -141,6 +141,10 @@ TEST(PassResults, AVerdictIsThatOfTheFinerMeshAsFarAsBothResolveIt) {
   const YieldedSection other = compared(one_pass(flows, 3e-3, 2e-3), one_pass(settles, 3e-3, 1e-3));
   EXPECT_EQ(other.evidence, contact::YieldEvidence::meshes_differ);
   EXPECT_TRUE(says(other.finding, "settling, ") && says(other.finding, "size ratchetting"));
+  const YieldedSection thick =
+      compared(one_pass(flows, 3e-3, 2e-3), one_pass(flows, 4e-3, 2.1e-3), true);
+  EXPECT_EQ(thick.evidence, contact::YieldEvidence::not_resolved);
+  EXPECT_TRUE(says(thick.finding, "ratchetting, not resolved, at least 0.0021 of lasting"));
 }
 
 TEST(PassResults, AVerdictNamesTheLimitOfShakedownThatContradictsIt) {
@@ -161,12 +165,27 @@ TEST(PassBars, AgreementByChanceDoesNotMakeThemSmall) {
   std::vector<contact::PointResult> coarse(1), fine(1);
   std::tie(coarse[0].plastic_strain, coarse[0].residual_stress) = std::tuple(0.1002, 271.8);
   std::tie(fine[0].plastic_strain, fine[0].residual_stress) = std::tuple(0.1274, 264.9);
-  fem::set_pass_bars(coarse, fine);
+  fine[0].semi_axis_x = fine[0].semi_axis_y = 1.0;
+  fem::set_pass_bars(coarse, 1.0 / 8.0, true, fine);
   EXPECT_GT(fine[0].bar_of("residual_stress").value(), 328.8 - 264.9);
   EXPECT_LT(fine[0].bar_of("residual_stress").value(), 100.0);
   coarse[0].plastic_strain = 0.04;
-  fem::set_pass_bars(coarse, fine);
+  fem::set_pass_bars(coarse, 1.0 / 8.0, true, fine);
   EXPECT_EQ(fine[0].no_bar.at("residual_stress"), contact::NoBar::not_resolved);
+}
+
+// Cells of a third of a semi-axis average the strain below it over themselves, whatever cells of
+// twice the size say; where the surface flows, its residual stress is known to the first order.
+TEST(PassBars, CellsOfAPartOfThePatchBoundThemFromBelow) {
+  std::vector<contact::PointResult> same(1);
+  std::tie(same[0].plastic_strain, same[0].residual_stress) = std::tuple(0.02, 200.0);
+  std::tie(same[0].semi_axis_x, same[0].semi_axis_y) = std::tuple(6.0, 4.5);
+  auto fine = same;
+  fem::set_pass_bars(same, 1.5, false, fine);
+  EXPECT_NEAR(fine[0].bar_of("plastic_strain").value(), 1.25 * 0.02 / 9.0, 1e-12);
+  EXPECT_NEAR(fine[0].bar_of("residual_stress").value(), 1.25 * 200.0 / 9.0, 1e-9);
+  fem::set_pass_bars(same, 1.5, true, fine);
+  EXPECT_NEAR(fine[0].bar_of("residual_stress").value(), 1.25 * 200.0 / 3.0, 1e-9);
 }
 
 }  // namespace

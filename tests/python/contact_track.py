@@ -1,0 +1,173 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""contact_track.py ROOT LIBRARY PROGRAM: wheels on rails by CONTACT's functions against the program's run of an input of
+CONTACT with the same settings, left and right: profiles that vary, forces along and across, rails on springs, several
+patches."""
+import json
+import math
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+
+import contact_addon as addon
+from contact_addon import CONFIG, DISCNS, FORCE, G, MU, NORM, NU, PVTIME, TANG, UNITS, call
+
+INPUT = """ 1 MODULE
+ {C}2031{F}0  C-P-B-T-N-F-S
+ 0022033        V-L-D-C-M-Z-E
+ 0000321        H-G-I-A-O-W-R
+ 999 100 30 1 1e-5      MAXGS, MAXIN, MAXNR, MAXOUT, EPS
+ {mu} {mu}              FSTAT, FKIN
+ {nu} {nu} {g} {g}      POISS 1,2, GG 1,2
+ 0.5 0.5 1.0 90d 8.0 4.0
+ {track}
+ '{rail}' 0 1.0 0.0
+ 0.0 0.0 0.0 0.0 0.0 0.0
+ {springs}
+ 1360.0 -70.0 460.0
+ '{wheel}' 0 1.0 0.0
+ {position}
+ {velocity}
+
+ 0 MODULE
+"""
+LOAD = 80000.0
+
+
+def row(values):
+    return " ".join(f"{value:.12g}" for value in values)
+
+
+def profile_file(path, points):
+    path.write_text("".join(f"{y:.9f},{z:.9f}\n" for y, z in points))
+
+
+def slices(path, count, step, points_at, unit):
+    """A list of `count` slices along the rail (mm) or around the wheel (rad), by cubic interpolation."""
+    lines = [f"0.0 1.0 {unit}", f"{count}", "0 0 0", "1"]
+    for k in range(count):
+        at = (k - (count - 1) / 2) * step
+        name = f"{path.stem}_{k}.csv"
+        profile_file(path.with_name(name), points_at(at))
+        lines.append(f"{at:.9f} '{name}'")
+    path.write_text("\n".join(lines) + "\n")
+
+
+def by_library(ire, side, rail, wheel, position, velocity, force, springs, track):
+    addon.begin(ire, 1)
+    addon.flags(ire, -1, {UNITS: addon.CNTC, CONFIG: side, TANG: 3, PVTIME: 2, NORM: 1, DISCNS: 2, FORCE: force})
+    call("cntc_setmaterialparameters", ire, -1, 0, 4, [NU, NU, G, G])
+    call("cntc_setfrictionmethod", ire, -1, 0, 2, [MU, MU])
+    call("cntc_setpotcontact", ire, -1, -1, 5, [0.5, 0.5, 1.57, 8.0, 4.0])
+    call("cntc_setrollingstepsize", ire, -1, 0.0, 1.0)
+    call("cntc_settrackdimensions", ire, 3, 11, track + [0.0] * 7)
+    if springs:
+        call("cntc_settrackdimensions", ire, 32, 4, list(springs))
+    call("cntc_setwheelsetdimensions", ire, 3, 3, [1360.0, -70.0, 460.0])
+    for kind, name in enumerate((str(rail), str(wheel))):
+        call("cntc_setprofileinputfname", ire, name, len(name), 3, [kind, 0, 0], 2, [1.0, 0.0])
+    call("cntc_setwheelsetposition", ire, 2, 6, position)
+    call("cntc_setverticalforce", ire, LOAD)
+    call("cntc_setwheelsetvelocity", ire, 2, 6, velocity)
+    error = addon.calculate(ire)
+    assert error == 0, (error, side, pathlib.Path("contact_addon.out").read_text())
+    patches = addon.C.c_int()
+    call("cntc_getnumcontactpatches", ire, addon.C.byref(patches))
+    found = [addon.reals("cntc_getcontactforces", ire, icp, count=4) for icp in range(1, patches.value + 1)]
+    return sorted(found, reverse=True)
+
+
+def by_program(work, side, rail, wheel, position, velocity, force, springs, track):
+    source = work / "case.inp"
+    source.write_text(INPUT.format(C=side, F=force, mu=MU, nu=NU, g=G, rail=rail.name, wheel=wheel.name,
+                                   springs=row(springs), track=row(track), position=row(position), velocity=row(velocity)))
+    made = work / "converted"
+    for folder in (made, work / "run"):
+        shutil.rmtree(folder, ignore_errors=True)
+    convert = [addon.PROGRAM, "convert", source, "-q", "-o", made]
+    for command in (convert, [addon.PROGRAM, "run", made / "case.toml", "-q", "-o", work / "run", "--no-report"]):
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+    models = json.loads((work / "run/summary.json").read_text())["models"]
+    points = [point for model in models for point in model["points"]]
+    return sorted(([p["normal_force"], -p["longitudinal_force"], p["lateral_force"], p["spin_moment"]] for p in points), reverse=True)
+
+
+def compare(work, what, rail, wheel, shift=0.0, force=0, last=-2000.0 / 460.0, springs=(), patches=1, place=0.0,
+            track=(14.0, 0.0, 1435.0, 0.025)):
+    """Both sides, mirrored: forces of the patches by the functions, by the input read whole, and by the program."""
+    found = {}
+    for side, sign in ((0, -1.0), (1, 1.0)):
+        position = [place, sign * shift, LOAD, 0.0, sign * 0.001, 0.0]
+        velocity = [2000.0, 0.0, 0.0, 0.0, 0.0, last]
+        springs_here = [springs[0], sign * springs[1], *springs[2:]] if springs else ()
+        given = (side, rail, wheel, position, velocity, force, springs_here, list(track))
+        found[side] = by_library(61 + side, *given)
+        wanted = by_program(work, *given)
+        assert len(found[side]) == len(wanted) == patches, (what, side, found[side], wanted)
+        for ours, theirs in zip(found[side], wanted):
+            for a, b in zip(ours[:3], theirs):
+                assert abs(a - b) < 2e-4 * LOAD, (what, side, ours, theirs)
+        by_file(what, side, work, found[side])
+        sums(what, 61 + side, patches)
+    for left, right in zip(found[0], found[1]):
+        for k, mirror in enumerate((1.0, 1.0, -1.0, -1.0)):
+            assert abs(left[k] - mirror * right[k]) < 2e-4 * LOAD * (1.0 if k < 3 else 10.0), (what, left, right)
+    return found[1]
+
+
+def by_file(what, side, work, found):
+    error, name = addon.C.c_int(-1), str(work / "case.inp")
+    addon.begin(65, 1)
+    call("cntc_readinpfile", 65, 1988, name, len(name), addon.C.byref(error))
+    assert error.value == 0 and addon.calculate(65) == 0, (what, side)
+    forces = sorted((addon.reals("cntc_getcontactforces", 65, icp + 1, count=4) for icp in range(len(found))), reverse=True)
+    for a, b in zip(sum(forces, []), sum(found, [])):
+        assert abs(a - b) < 1e-6 * LOAD, (what, side, forces, found)
+    call("cntc_finalize", 65)
+
+
+def sums(what, ire, patches):
+    """Forces and areas of the patches make those of the wheel."""
+    parts = [addon.array("cntc_getglobalforces", ire, icp + 1, length=24) for icp in range(patches)]
+    whole = addon.array("cntc_getglobalforces", ire, -1, length=24)
+    for k in range(24):
+        assert abs(sum(part[k] for part in parts) - whole[k]) < 1e-9 * LOAD * 1000.0, (what, k)
+    assert abs(whole[2] - LOAD) < 2e-4 * LOAD, (what, whole[2])  # friction on a slope carries a part
+    for icp in range(1, patches + 1):
+        contact, adhesion, slip = addon.reals("cntc_getcontactpatchareas", ire, icp, count=3)
+        assert contact > 0.0 and abs(adhesion + slip - contact) < 1e-9 * contact, (what, icp)
+    assert math.isnan(addon.reals("cntc_getpenetration", ire, patches + 1)), (what, "a patch too many")
+
+
+def main():
+    wheel_points, rail_points = addon.profiles()
+    with tempfile.TemporaryDirectory() as name:
+        work = pathlib.Path(name)
+        os.chdir(work)
+        rail, wheel = work / "rail.csv", work / "wheel.csv"
+        profile_file(rail, rail_points)
+        profile_file(wheel, wheel_points)
+        plain = compare(work, "plain", rail, wheel, 2.0)[0]
+        # Forces: along on the rail, a torque about the axle, rails on springs.
+        pulled = compare(work, "F = 1", rail, wheel, 2.0, force=1, last=5000.0)[0]
+        assert abs(pulled[1] - 5000.0) < 50.0, pulled
+        turned = compare(work, "F = 2", rail, wheel, 2.0, force=2, last=5000.0 * 460.0)[0]
+        assert abs(turned[1] - pulled[1]) < 200.0, (turned, pulled)
+        sprung = compare(work, "F = 3", rail, wheel, 2.0, force=3, springs=(2e4, 1000.0, 1e5, 0.0))[0]
+        assert abs(sprung[2] - plain[2]) > 20.0, (sprung, plain)
+        # Without a gauge: a rail that rises along the way, a wheel with a flat.
+        fixed = (-1.0, 753.0, 0.0, 0.025)
+        slices(work / "dip.slcs", 5, 100.0, lambda at: [(y, z + 1e-5 * at * at) for y, z in rail_points], "U_OFFSET")
+        risen = compare(work, "rail slices", work / "dip.slcs", wheel, 2.0, place=50.0, track=fixed)[0]
+        assert abs(risen[0] - plain[0]) < 0.05 * LOAD
+        slices(work / "flat.slcw", 5, 0.1, lambda at: [(y, z + 0.1 * at * at) for y, z in wheel_points], "TH_OFFSET")
+        compare(work, "wheel slices", rail, work / "flat.slcw", 2.0, track=fixed)
+        compare(work, "two patches", rail, wheel, 6.2, patches=2, track=(14.0, 0.0, 1435.0, 0.05))
+        print("plain, F = 1 to 3, slices, two patches: ok")
+
+
+if __name__ == "__main__":
+    main()
