@@ -7,7 +7,7 @@
 #include "halfspace/stress/stress_maxima.hpp"
 #include "modelling/stress/body_sampler.hpp"
 #include "modelling/stress/corrected_stress.hpp"
-#include "result/heat/heat_below.hpp"
+#include "result/heat/temperature.hpp"
 #include "result/stress_extremes.hpp"
 #include "scene/geometry.hpp"
 
@@ -246,9 +246,8 @@ void define_stress(py::module_& module) {
                               double dx, double dy, const Array& surface, const Array& places) {
     const contact::ContactGrid grid{
         static_cast<int>(x.size()), static_cast<int>(y.size()), dx, dy, x.at(0), y.at(0)};
-    return contact::HeatBelow(grid, {body[0], body[1], body[3], body[2]}, body[4],
-                              field_of(surface))
-        .rise(rows_of<3>(places));
+    return contact::rise_below(grid, {body[0], body[1], body[3], body[2]}, body[4],
+                               field_of(surface), rows_of<3>(places));
   });
   py::class_<Loaded>(module, "Loaded")
       .def(py::init(&loaded))

@@ -316,8 +316,9 @@ void check_hardening_law(const GivenCase& given, const std::string& section,
 }
 
 /// What the keys of a steel need of each other.
-void check_plasticity(const GivenCase& given, const char* body, const BodyPlasticity& steel) {
-  const std::string section = std::string(body) + "_plasticity";
+void check_plasticity(const GivenCase& given, const char* name, const Body& body) {
+  const BodyPlasticity& steel = *body.plasticity;
+  const std::string section = std::string(name) + "_plasticity";
   const auto length = [&](const char* key) {
     const GivenValue* value = given.find(section, key);
     return value == nullptr ? 0 : std::get<std::vector<double>>(value->value).size();
@@ -342,24 +343,13 @@ void check_plasticity(const GivenCase& given, const char* body, const BodyPlasti
   if (steel.hot_temperature || steel.hot_yield_stress) {
     need("hot_temperature", "the temperature in degC of the hot steel", "hot_temperature = 700.0`");
     need("hot_yield_stress", "the yield stress of the hot steel", "hot_yield_stress = 200.0`");
+    const double cold = body.heat.value_or(BodyHeat{}).temperature;
+    if (!(*steel.hot_temperature > cold))
+      fail_at(given, section + ".hot_temperature", "is not above that before contact",
+              fmt::format("above {:g} degC, at which the steel has its yield_stress", cold),
+              "give a higher one");
   }
   for (const HardeningLaw& law : hardening_laws()) check_hardening_law(given, section, law, steel);
-}
-
-/// What hot steel needs of the heat of its body.
-void check_hot_steel(const GivenCase& given, const char* name, const Body& body, bool heated) {
-  const auto& hot = body.plasticity->hot_temperature;
-  const std::string key = std::string(name) + "_plasticity.hot_temperature";
-  const double cold = body.heat.value_or(BodyHeat{}).temperature;
-  if (hot && !heated)
-    fail_at(given, key, "has no effect, because the case gives the surfaces no temperature",
-            "with [wheel_heat] or [rail_heat], or friction.law `temperature`",
-            fmt::format("add `temperature = 20.0` under [{}_heat], or remove it", name));
-  if (hot && *hot <= cold)
-    fail_at(given, key,
-            fmt::format("is {:g} degC, but the {} has {:g} degC before contact", *hot, name, cold),
-            "above that temperature, at which the steel has its yield_stress",
-            "give a higher hot_temperature");
 }
 
 }  // namespace
@@ -571,14 +561,8 @@ void complete(const GivenCase& given, Case& input) {
 
 void check_values(const GivenCase& given, const Case& input) {
   check_irregularities(given, input);
-  const bool heated =
-      input.wheel.heat || input.rail.heat || input.friction_fall.shape.by_temperature;
-  for (const auto& [name, body] :
-       {std::pair("wheel", static_cast<const Body*>(&input.wheel)), {"rail", &input.rail}})
-    if (body->plasticity) {
-      check_plasticity(given, name, *body->plasticity);
-      check_hot_steel(given, name, *body, heated);
-    }
+  if (input.wheel.plasticity) check_plasticity(given, "wheel", input.wheel);
+  if (input.rail.plasticity) check_plasticity(given, "rail", input.rail);
   check_unloaded_steps(given, input);
   check_rigid(given, input);
   check_friction(given, input);

@@ -6,6 +6,7 @@
 #include "contact/iteration/friction_state.hpp"
 #include "contact/iteration/leading_edge.hpp"
 #include "result/patch_size.hpp"
+#include "result/validity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +84,8 @@ SurfaceField tractions(const ContactState& solution) {
 /// Distance of the defect from its image over the contact area, without load over the grid: the
 /// normal part relative to the elastic displacement (less its mean, which the approach absorbs at
 /// given force), the tangential part as slip relative to the creepage load. Elements that the image
-/// makes penetrate count, too: few elements may carry the same pressure whatever the defect.
+/// makes penetrate beyond what a result may count, too: few elements may carry the same pressure
+/// whatever the defect.
 double defect_residual(const Preconditioner& preconditioner, const PointProblem& problem,
                        const ContactState& solution, const Response& defect, bool to_the_bound) {
   Field mask = (solution.normal.pressure.array() > 0.0).cast<double>();
@@ -100,9 +102,10 @@ double defect_residual(const Preconditioner& preconditioner, const PointProblem&
     const Field& steep = problem.frame.to_vertical;
     Field gap = solution.normal.gap;
     if (steep.size() != 0) gap = gap.cwiseProduct(steep).eval();
-    normal_change =
-        (mask.array() > 0.0).select(normal_change, (gap + normal_change).cwiseMin(0.0)).eval();
-    residual = normal_change.norm() / std::sqrt(std::max(1.0, mask.sum())) / size;
+    const double penetration =
+        -((mask.array() > 0.0).select(0.0, gap + normal_change)).minCoeff() / size;
+    residual = rms_over(mask, normal_change) / size;
+    if (penetration > largest_residual.gap) residual = std::max(residual, penetration);
   }
   if (problem.shares_load())
     residual = std::max(residual,

@@ -8,7 +8,7 @@
 #include "fem/plasticity/pass_results.hpp"
 #include "fem/plasticity/steady_pass.hpp"
 #include "halfspace/patch/patch_search.hpp"
-#include "result/heat/heat_below.hpp"
+#include "result/heat/temperature.hpp"
 
 #include <fmt/format.h>
 
@@ -158,7 +158,7 @@ class YieldingBody {
         places.push_back({place[0], place[1], below});
       }
     }
-    rise_ = contact::HeatBelow(grid, heated(), heat_->speed, surface).rise(places);
+    rise_ = contact::rise_below(grid, heated(), heat_->speed, surface, places);
     // Steel cools down before the next pass: at once, before the section that results show.
     for (std::size_t k = 0; k < rise_.size(); ++k)
       if (k % streamlines_.stations() + 1 >= streamlines_.section_station()) rise_[k] = 0.0;

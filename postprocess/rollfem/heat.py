@@ -16,7 +16,7 @@ class HeatedBody:
         self.by_kelvin = -elastic[0] * constants[3] / (1 - elastic[1])
 
     def rise(self, places: np.ndarray) -> np.ndarray:
-        """K above the temperature before contact at places [n, 3], mm (HeatBelow::rise)."""
+        """K above the temperature before contact at places [n, 3], mm (contact::rise_below)."""
         from . import _core
         grid, below = self._grid, np.column_stack([places[:, :2], np.abs(places[:, 2])])
         return np.array(_core.rise_below(self._constants, grid.x, grid.y, grid.dx, grid.dy, self._surface, below))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "result/heat/temperature.hpp"
 
+#include "base/pi.hpp"
 #include "result/note.hpp"
 
 #include <fmt/format.h>
@@ -119,6 +120,23 @@ Field left_temperature(const ContactGrid& grid, const SurfaceHeat& heat, double 
 
 namespace {
 
+/// K at a depth by a heat flow of 1 N/(mm s) through an element so many elements ahead: after it
+/// has begun that of erfc.
+Field warming_at(double depth, const ContactGrid& grid, const HeatedBody& body, double speed) {
+  const double conductivity = body.effusivity * std::sqrt(body.diffusivity);
+  Field found(2 * grid.nx + 1);
+  double last = 0.0;
+  for (Eigen::Index k = 0; k < found.size(); ++k) {
+    const double passed = (static_cast<double>(k) + 0.5) * grid.dx;
+    const double length = 2.0 * std::sqrt(body.diffusivity * passed / speed), u = depth / length;
+    const double next =
+        length * (std::exp(-u * u) / std::sqrt(pi) - u * std::erfc(u)) / conductivity;
+    found[k] = next - last;
+    last = next;
+  }
+  return found;
+}
+
 /// The largest thermal stress at a surface in contact that stresses of the result leave out: the
 /// material around a thin layer holds it, E alpha (T - T_0)/(1 - nu) along and across.
 void note_thermal_stress(const Scene& scene, const std::array<bool, 2>& yields_cold,
@@ -153,6 +171,41 @@ void note_thermal_stress(const Scene& scene, const std::array<bool, 2>& yields_c
 }
 
 }  // namespace
+
+std::vector<double> rise_below(const ContactGrid& grid, const HeatedBody& body, double speed,
+                               const Field& surface,
+                               const std::vector<std::array<double, 3>>& places) {
+  const int nx = grid.nx, ny = grid.ny;
+  // Heat flows that lead to these temperatures, from the leading end of each row.
+  Field flow = surface.array() - body.temperature;
+  const Field own = warming_at(0.0, grid, body, speed);
+  for (int i = nx - 1; i >= 0; --i)
+    for (int j = 0; j < ny; ++j) {
+      const int k = grid.index(i, j), ahead = nx - 1 - i;
+      flow[k] = (flow[k] - own.segment(1, ahead).dot(flow.segment(k + 1, ahead))) / own[0];
+    }
+  Field warming;
+  double of_depth = -1.0;
+  // In the middle of a column, perhaps one behind the grid.
+  const auto in_column = [&](int i, int j) {
+    const int from = std::clamp(i, 0, nx);
+    return warming.segment(from - i, nx - from).dot(flow.segment(grid.index(from, j), nx - from));
+  };
+  std::vector<double> found(places.size(), 0.0);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const auto& [x, y, depth] = places[k];
+    const double column = (x - grid.x_first) / grid.dx, row = (y - grid.y_first) / grid.dy;
+    const bool beside = ny > 1 && (row < -0.5 || row > ny - 0.5);
+    if (beside || !(column >= -nx && column < nx)) continue;
+    if (depth != of_depth) warming = warming_at(of_depth = depth, grid, body, speed);
+    const double inside = std::clamp(row, 0.0, ny - 1.0);
+    const int i = static_cast<int>(std::floor(column)), j = static_cast<int>(inside);
+    for (const auto& [across, there] : {std::pair(1.0 - (inside - j), j), {inside - j, j + 1}})
+      for (const auto& [along, here] : {std::pair(1.0 - (column - i), i), {column - i, i + 1}})
+        if (across * along > 0.0) found[k] += across * along * in_column(here, there);
+  }
+  return found;
+}
 
 void tell_of_heat(const Scene& scene, ModelResult& result, const std::array<bool, 2>& yields_cold) {
   if (!scene.heat) return;

@@ -35,6 +35,13 @@ HeatStep set_temperatures(const ContactGrid& grid, const SurfaceHeat& heat, doub
 Field left_temperature(const ContactGrid& grid, const SurfaceHeat& heat, double length,
                        const HeatPast& past);
 
+/// K above the temperature before contact below the surface of a body, from that of the elements of
+/// its surface (degC), at places (x, y, depth >= 0), linear between the middles of elements; 0
+/// ahead of and beside the grid, and more than its length behind it.
+std::vector<double> rise_below(const ContactGrid& grid, const HeatedBody& body, double speed,
+                               const Field& surface,
+                               const std::vector<std::array<double, 3>>& places);
+
 /// Where bodies have heat: warns of load points with surfaces above their limits, and notes the
 /// thermal stress that the stresses of the result leave out, and the yielding of wheel or rail
 /// (`yields_cold`).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Balances of a pass over steel that yields: residual stress against equilibrium, work of the load
 // against plastic work, wheel against rail.
-#include "result/heat/heat_below.hpp"
+#include "result/heat/temperature.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -67,8 +67,8 @@ std::array<double, 2> works(const Passes& passes) {
 
 constexpr double expansion = 1.2e-5;
 
-/// Deviatoric strain of a free expansion by 1 that the material around holds along and across: the
-/// stress is -E/(1 - nu) there, and nothing normal to the surface.
+/// Deviatoric strain of steel this much warmer (K) that the material around holds along and across:
+/// the stress is -E alpha rise/(1 - nu) there, and nothing normal to the surface.
 fem::Deviator held(double rise) {
   const double third = expansion * rise * 1.3 / 0.7 / 3.0;
   return {-third, -third, 2.0 * third, 0.0, 0.0, 0.0};
@@ -82,7 +82,9 @@ double thin_layer_error(const RolledBody& slab, double layer) {
   const contact::Field temperature = surface.sample([](double x, double) {
     return 300.0 * (std::sqrt(std::max(0.0, 1.0 - x)) - std::sqrt(std::max(0.0, -1.0 - x)));
   });
-  const contact::HeatBelow heat(surface, body, 1.0, temperature);
+  const auto rise_at = [&](const std::vector<std::array<double, 3>>& places) {
+    return contact::rise_below(surface, body, 1.0, temperature, places);
+  };
   const auto problem = slab.problem();
   auto load = fem::make_vector(problem.dofs), displacement = load;
   const fem::SurfaceShape& shape = slab.body->shape();
@@ -97,12 +99,15 @@ double thin_layer_error(const RolledBody& slab, double layer) {
     values.reinit(cell);
     cell->get_dof_indices(dofs);
     dealii::Vector<double> forces(size);
-    for (const unsigned int q : values.quadrature_point_indices()) {
-      const auto place = shape.coordinates(values.quadrature_point(q));
-      const double rise = heat.rise({{place[0], 0.0, place[2]}}).front();
-      for (unsigned int i = 0; i < size; ++i)
-        forces[i] += three_k * expansion * rise * values[u].divergence(i, q) * values.JxW(q);
+    std::vector<std::array<double, 3>> places;
+    for (const auto& point : values.get_quadrature_points()) {
+      const auto place = shape.coordinates(point);
+      places.push_back({place[0], 0.0, place[2]});
     }
+    const std::vector<double> rise = rise_at(places);
+    for (const unsigned int q : values.quadrature_point_indices())
+      for (unsigned int i = 0; i < size; ++i)
+        forces[i] += three_k * expansion * rise[q] * values[u].divergence(i, q) * values.JxW(q);
     problem.constraints.distribute_local_to_global(forces, dofs, load);
   }
   load.compress(dealii::VectorOperation::add);
@@ -114,7 +119,7 @@ double thin_layer_error(const RolledBody& slab, double layer) {
     const double s = slab.lines.s(k % slab.lines.stations());
     if (std::abs(s) > 0.8) continue;
     const double depth = slab.lines.section(k / slab.lines.stations())[1];
-    const fem::Deviator expected = held(heat.rise({{s, 0.0, depth}}).front());
+    const fem::Deviator expected = held(rise_at({{s, 0.0, depth}}).front());
     largest = std::max(largest, fem::norm(expected));
     error = std::max(error, fem::norm(fem::sum(strain[k], -1.0, expected)));
   }
