@@ -145,19 +145,11 @@ SectionWithKeys plasticity_section(const std::string& name, Body Case::*body) {
            "Dynamic recovery of each back stress, or one for all (Armstrong and Frederick; "
            "Chaboche); it saturates at hardening/recovery; 0: linear (Prager).");
   keys.add("hot_temperature", &Steel::hot_temperature, unit("degC"), between(-273.0, 1500.0),
-<<<<<<< HEAD
-           otherwise("the steel does not soften"),
-           "Temperature from which the steel has its `hot_yield_stress`; linear below, from that "
-           "before contact (docs/plasticity.md).");
-  keys.add("hot_yield_stress", &Steel::hot_yield_stress, unit("MPa"), positive(),
-           otherwise("the steel does not soften"), "Yield stress in tension of hot steel.");
-=======
            otherwise("no softening"),
            "Temperature from which the steel has its `hot_yield_stress`; linear from that before "
            "contact.");
   keys.add("hot_yield_stress", &Steel::hot_yield_stress, unit("MPa"), positive(),
            otherwise("no softening"), "Yield stress in tension of hot steel.");
->>>>>>> a11cd561f0323e7aefa4145e1848a7751e2329e6
   for (const HardeningLaw& law : hardening_laws())
     for (const HardeningLaw::Constant& own : law.constants)
       keys.add(own.key, own.member, silent_default, otherwise("0"), symbol(own.symbol),
@@ -182,11 +174,7 @@ SectionWithKeys heat_section(const std::string& name, Body Case::*body) {
            "Heat capacity; the density is that of the body.");
   keys.add(
       "expansion", &BodyHeat::expansion, symbol("alpha"), unit("1/K"), zero_or(1e-9, 1e-3),
-<<<<<<< HEAD
-      "Thermal expansion, for the thermal stress of `rollfem stress` and of steel that yields.");
-=======
       "Thermal expansion, for the thermal stress of `rollfem stress` and in steel that yields.");
->>>>>>> a11cd561f0323e7aefa4145e1848a7751e2329e6
   keys.add("limit", &BodyHeat::limit, unit("degC"), between(-273.0, 1e4),
            "Surface temperature above which results warn (steel transforms).");
   return keys;
