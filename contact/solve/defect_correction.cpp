@@ -6,7 +6,6 @@
 #include "contact/iteration/friction_state.hpp"
 #include "contact/iteration/leading_edge.hpp"
 #include "result/patch_size.hpp"
-#include "result/validity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -83,9 +82,7 @@ SurfaceField tractions(const ContactState& solution) {
 
 /// Distance of the defect from its image over the contact area, without load over the grid: the
 /// normal part relative to the elastic displacement (less its mean, which the approach absorbs at
-/// given force), the tangential part as slip relative to the creepage load. Elements that the image
-/// makes penetrate beyond what a result may count, too: few elements may carry the same pressure
-/// whatever the defect.
+/// given force), the tangential part as slip relative to the creepage load.
 double defect_residual(const Preconditioner& preconditioner, const PointProblem& problem,
                        const ContactState& solution, const Response& defect, bool to_the_bound) {
   Field mask = (solution.normal.pressure.array() > 0.0).cast<double>();
@@ -97,16 +94,7 @@ double defect_residual(const Preconditioner& preconditioner, const PointProblem&
     normal_change.array() -= mean;
   }
   const double size = rms_over(mask, solution.displacement.n);
-  double residual = 0.0;
-  if (problem.presses() && size > 0.0) {
-    const Field& steep = problem.frame.to_vertical;
-    Field gap = solution.normal.gap;
-    if (steep.size() != 0) gap = gap.cwiseProduct(steep).eval();
-    const double penetration =
-        -((mask.array() > 0.0).select(0.0, gap + normal_change)).minCoeff() / size;
-    residual = rms_over(mask, normal_change) / size;
-    if (penetration > largest_residual.gap) residual = std::max(residual, penetration);
-  }
+  double residual = problem.presses() && size > 0.0 ? rms_over(mask, normal_change) / size : 0.0;
   if (problem.shares_load())
     residual = std::max(residual,
                         std::abs(force_along_load(preconditioner.whole.grid(), problem, solution) /
@@ -273,14 +261,14 @@ ContactState solve_coupled(const Compliance& compliance, const Preconditioner& p
                           std::to_string(solution.iterations) + " iterations, required " +
                           std::to_string(options.tolerance);
   if (solution.tangential.feedback) {
-    const SteepCause reason = steep_cause(
+    const SteepCause why = steep_cause(
         *problem.conditions.friction, solution.tangential.steepness,
         problem.motion.past ? problem.motion.past->length : preconditioner.whole.grid().dx);
     throw NoSteadyFriction(
-        reason.cause +
+        why.cause +
         " that no stable steady state was found: it jumps to another one whenever pressure and "
         "slip are corrected for each other; do: " +
-        reason.cure + " (" + how + ")");
+        why.cure + " (" + how + ")");
   }
   throw SolveError(how);
 }

@@ -4,7 +4,6 @@
 // is resumed.
 #include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
-#include "fem/fem_options.hpp"
 
 #include "support/equal_balls.hpp"
 #include "support/records_in_memory.hpp"
@@ -87,19 +86,6 @@ TEST(PlasticPressing, ABallYieldsFirstAtItsElasticLimit) {
               0.15);
   EXPECT_EQ(rail_of(points[2]).verdict, YieldVerdict::holds);
   EXPECT_FALSE(points[2].forward_flow || points[2].plastic_work || points[2].net_plastic_increment);
-}
-
-// Four elements, equal by symmetry, bear the load of elastic bodies, with the same pressure
-// whatever their steel does; but in the imprint the patch is larger.
-TEST(PlasticPressing, APatchGrowsFromFourElementsWithTheImprint) {
-  constexpr double cell = 1.6;
-  Case input = ball_on_flat({20e3});
-  input.rail.plasticity = steel(1000.0);
-  input.options.set<fem::FemOptions>().plastic_extent = 1.8;
-  const PointResult point = steps_of(input, cell).front();
-  EXPECT_TRUE(point.converged);
-  EXPECT_GT(point.iterations, 1);
-  EXPECT_GT(point.contact_area, 4.0 * cell * cell);
 }
 
 namespace {
