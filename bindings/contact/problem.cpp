@@ -134,7 +134,7 @@ Eigen::Matrix4d sensitivities_of(const Problem& problem, bool of_friction) {
       values[static_cast<std::size_t>(k)] += side * step[static_cast<std::size_t>(k)];
       moved.penetration = values[0];
       moved.creepage = {values[1], values[2], values[3]};
-      const auto patches = moved.solver.solve(moved.whole(), moved.profile_text);
+      const auto patches = moved.solver.solve(moved.whole(), moved.profile_text, moved.extra_slip);
       found.col(k) +=
           0.5 * side / step[static_cast<std::size_t>(k)] * outputs(patches.front(), fstat);
     }
@@ -151,7 +151,7 @@ int calculate(Problem& problem) {
   const ContactCase given = problem.whole();
   check(given);
   if (given.digits.R >= 2) return 0;
-  problem.patches = problem.solver.solve(given, problem.profile_text);
+  problem.patches = problem.solver.solve(given, problem.profile_text, problem.extra_slip);
   ++problem.cases;
   const auto sens = problem.flags.find(ic_sens);
   problem.sensitivities.setZero();

@@ -211,8 +211,10 @@ void cntc_setcreepages(Int ire, Int icp, Real vx, Real vy, Real phi) {
 }
 
 void cntc_setextrarigidslip(Int ire, Int icp, Int lenarr, Real wx, Real wy) {
-  guarded("cntc_setextrarigidslip", {ire, icp, lenarr, wx, wy},
-          [] { throw Refusal(err_other, "extra rigid slip of each element has no equivalent"); });
+  guarded("cntc_setextrarigidslip", {ire, icp, lenarr, wx, wy}, [&] {
+    const ElementSlip extra{finite_values(wx, *lenarr), finite_values(wy, *lenarr)};
+    for_problems(*ire, *icp, [&](Problem& problem) { problem.extra_slip = extra; });
+  });
 }
 
 void cntc_setglobalflags(Int lenflg, Int params, Int values) {

@@ -107,6 +107,25 @@ track::ProfilePair repaired_profiles(contact::Case& input, const ProfileTexts& t
     }
 }
 
+void add_slip(const ElementSlip& extra, const Patch& patch, Scene& scene) {
+  if (extra[0].empty()) return;
+  if (scene.problem != contact::Problem::steady && scene.problem != contact::Problem::transient)
+    throw Refusal(err_other, "extra rigid slip of a contact that does not roll");
+  if (extra[0].size() != static_cast<std::size_t>(patch.size()))
+    throw Refusal(err_discr, fmt::format("extra rigid slip of {} elements, but there are {}",
+                                         extra[0].size(), patch.size()));
+  const ContactGrid& grid = patch.grid;
+  contact::Lattice all{"",        grid.nx, grid.ny, grid.x(0),
+                       grid.y(0), grid.dx, grid.dy, {extra[0], extra[1]}};
+  for (std::size_t k = 0; k < 2; ++k)
+    for (int j = 0; j < patch.ny; ++j)
+      for (int i = 0; i < patch.nx; ++i)
+        all.values[k][static_cast<std::size_t>(patch.index(i, j))] =
+            patch.along * extra[k][static_cast<std::size_t>(j * patch.nx + i)];
+  scene.geometry.extra_slip = contact::ExtraSlip::file;
+  scene.geometry.extra_slip_values = std::move(all);
+}
+
 void refuse_impossible(const Equivalent& made) {
   if (!made.impossible.empty())
     throw Refusal(err_other, fmt::format("{}", fmt::join(made.impossible, "; ")));
@@ -114,7 +133,8 @@ void refuse_impossible(const Equivalent& made) {
 
 }  // namespace
 
-std::vector<Patch> Solver::solve(const convert::ContactCase& given, const ProfileTexts& texts) {
+std::vector<Patch> Solver::solve(const convert::ContactCase& given, const ProfileTexts& texts,
+                                 const ElementSlip& extra) {
   Equivalent made = convert::equivalent_of(given, "");
   const bool continues = made.continues;
   if (given.module == 1 && continues)
@@ -122,7 +142,9 @@ std::vector<Patch> Solver::solve(const convert::ContactCase& given, const Profil
   refuse_impossible(made);
   if (!continues) history_.reset();
   set_case(made, texts);
-  return given.module == 1 ? solve_pair() : std::vector<Patch>{solve_single(given, made)};
+  if (given.module == 3) return {solve_single(given, made, extra)};
+  if (!extra[0].empty()) throw Refusal(err_other, "extra rigid slip of elements in module 1");
+  return solve_pair();
 }
 
 void Solver::set_case(Equivalent made, const ProfileTexts& texts) {
@@ -218,7 +240,8 @@ void Solver::remember(const Scene& scene, const contact::LevelResult& level) {
   history_->advance({u.x, u.y}, rolls ? scene.points.front().step_length : 0.0, level.after);
 }
 
-Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& made) {
+Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& made,
+                           const ElementSlip& extra) {
   const auto scene = std::make_shared<Scene>(input_);
   Patch patch;
   patch.scene = scene;
@@ -226,16 +249,18 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
   patch.turns_columns = patch.turns_rows = patch.along < 0.0;
   contact::ModelResult result;
   if (convert::is_simplified(given.digits)) {
+    if (!extra[0].empty()) throw Refusal(err_other, "extra rigid slip of elements in FASTSIM");
     result = theories::models().at(made.model).run(*scene, {}, nullptr);
     patch.grid = result.grid;
   } else {
     if (scene->is_history()) scene->past = std::make_shared<contact::StepPast>();
     const auto& [dx, dy] = *scene->contact_grid.cell_size;
     patch.grid = halfspace::PatchSearch(*scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
+    patch.nx = patch.grid.nx;
+    patch.ny = patch.grid.ny;
+    add_slip(extra, patch, *scene);
     if (!few_) few_ = std::make_shared<FewContact>();
     if (auto point = few_->solve(*scene, patch.grid)) {
-      patch.nx = patch.grid.nx;
-      patch.ny = patch.grid.ny;
       patch.point = std::move(*point);
       return patch;
     }

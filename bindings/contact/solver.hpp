@@ -94,10 +94,15 @@ struct Patch {
 /// Points y, z as lines of text, instead of the profile files of rail and wheel; or empty.
 using ProfileTexts = std::array<std::string, 2>;
 
+/// Added to the rigid slip of each element of a contact of module 3 that rolls, over the rolling
+/// speed: components in CONTACT's axes, by rows of its elements; empty: nothing.
+using ElementSlip = std::array<std::vector<double>, 2>;
+
 class Solver {
  public:
   /// Throws Refusal, contact::InputError and contact::SolveError.
-  std::vector<Patch> solve(const convert::ContactCase& given, const ProfileTexts& texts);
+  std::vector<Patch> solve(const convert::ContactCase& given, const ProfileTexts& texts,
+                           const ElementSlip& extra);
   /// The profiles, read as the case says; as solve().
   const track::ProfilePair& profiles(const convert::ContactCase& given, const ProfileTexts& texts);
 
@@ -107,7 +112,8 @@ class Solver {
  private:
   void set_case(convert::Equivalent made, const ProfileTexts& texts);
   void read_profiles(const ProfileTexts& texts);
-  Patch solve_single(const convert::ContactCase& given, const convert::Equivalent& made);
+  Patch solve_single(const convert::ContactCase& given, const convert::Equivalent& made,
+                     const ElementSlip& extra);
   std::vector<Patch> solve_pair();
   contact::LevelResult solve_on(const contact::Scene& scene, contact::ContactGrid& grid);
   void remember(const contact::Scene& scene, const contact::LevelResult& level);

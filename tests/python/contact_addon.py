@@ -193,6 +193,34 @@ def few_elements():
     call("cntc_finalize", 18)
 
 
+def extra_slip():
+    """A uniform extra slip is a creepage, in both directions of rolling; one that turns is spin, which the first-order
+    difference takes a sixth of an element upstream."""
+    for mx in (15, 41):  # sums and transforms
+        for chi in (0.0, math.pi):
+            for xi, eta, phi in ((4e-4, -2e-4, 0.0), (4e-4, -2e-4, 3e-4)):
+                begin(19, 3)
+                sphere(19, mx=mx)
+                call("cntc_setrollingstepsize", 19, 1, chi, 0.1)
+                call("cntc_setcreepages", 19, 1, xi, eta, phi)
+                assert calculate(19, 1) == 0
+                forces = reals("cntc_getcontactforces", 19, 1, count=4)
+                _, _, x, y, dx, dy = array("cntc_getpotcontact", 19, 1, length=6)
+                places = [(x + i * dx, y + j * dy) for j in range(mx) for i in range(mx)]
+                slips = [xi - phi * v for _, v in places], [eta + phi * u for u, _ in places]
+                call("cntc_setextrarigidslip", 19, 1, mx * mx, *slips)
+                call("cntc_setcreepages", 19, 1, 0.0, 0.0, 0.0)
+                assert calculate(19, 1) == 0
+                allowed = (1e-6 if phi == 0.0 else 0.03 * dx) * MU * 1000.0
+                for here, there in zip(forces, reals("cntc_getcontactforces", 19, 1, count=4)):
+                    assert abs(here - there) < allowed, (mx, chi, phi, here, there)
+                call("cntc_setextrarigidslip", 19, 1, 3, [0.0] * 3, [0.0] * 3)
+                assert calculate(19, 1) != 0  # three values for all elements
+                call("cntc_setextrarigidslip", 19, 1, 0, [], [])
+                assert calculate(19, 1) == 0 and abs(reals("cntc_getcontactforces", 19, 1, count=4)[1]) < 1e-3
+                call("cntc_finalize", 19)
+
+
 def solved(ire):
     return calculate(ire, 1) == 0
 
@@ -531,7 +559,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         work = pathlib.Path(folder)
-        for test in (closed_forms, creep_curves, few_elements, steps, heat_and_no_friction, sensitivities, both_sides, threads):
+        for test in (closed_forms, creep_curves, few_elements, extra_slip, steps, heat_and_no_friction, sensitivities, both_sides, threads):
             test()
             print(f"{test.__name__}: ok")
         bad_calls(work / "contact_addon.out")
