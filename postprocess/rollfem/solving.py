@@ -144,8 +144,8 @@ def study(case: CaseLike, /, *, model: str | None = None, models: Models = None,
         levels: 2 to 8; 0: as the model has it.
         quantity: Followed in addition: scalars of a load point, or "max_von_mises_rail" and the like.
         reference: "exact", "finest", "extrapolated" or "QUANTITY=VALUE".
-        reference_seconds: Most that a level beyond the finest, the reference where the levels show no limit, may be expected to
-            take; 0: none.
+        reference_seconds: Most, in s, that a level beyond the finest, the reference where the levels show no limit, may be
+            expected to take; 0: none.
     Raises:
         InputError: The case or the call is wrong.
         SolveError: No level was solved; levels that fail beside others are a warning.

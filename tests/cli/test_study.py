@@ -10,7 +10,7 @@ from resuming import killed, records, timeless
 
 QUICK = SMALL | rolling([0.0, 0.001], 20)
 # Levels of 10, 20, 40 and 80 across; the last takes a second or so.
-SLOW = SMALL | rolling([0.0, 0.0003, 0.0006, 0.0009, 0.0012, 0.0015, 0.002, 0.0025, 0.003, 0.004], 40) | {"rolling.spin": 1e-4}
+SLOW = SMALL | rolling([0.0, 0.0003, 0.0006, 0.0009, 0.0012, 0.0015, 0.002, 0.0025, 0.003, 0.004], 96) | {"rolling.spin": 1e-4}
 
 
 def wheel(side, shifts, across=20):

@@ -368,7 +368,7 @@ class Shown(unittest.TestCase):
                     self.assertIn(name, said, where)
                     self.assertIsNot(parameter.annotation, parameter.empty, f"{where}: the type of {name}")
                 if re.search("float|ArrayLike|_SupportsArray", str(parameter.annotation)):
-                    self.assertRegex(said[name], r"(?<!\w)(mm|N|MPa|rad|-)(?!\w)", f"{where}: the unit of {name}")
+                    self.assertRegex(said[name], r"(?<!\w)(mm|N|MPa|rad|s|-)(?!\w)", f"{where}: the unit of {name}")
 
     @staticmethod
     def functions():

@@ -286,7 +286,7 @@ class Study:
                     return series
         if work.whole and len(series.levels) == len(refined):
             self._add_reference(plan, scene, place)
-        solved = [*series.levels, *[series.reference] * bool(series.reference)]
+        solved = [*series.levels, *([series.reference] if series.reference else [])]
         for level in solved:  # from a cold start, each
             level.seconds += solved[0].shared - level.shared
         if not series.levels and series.left_out:

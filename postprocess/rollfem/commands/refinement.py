@@ -420,7 +420,7 @@ def _key_table(record: Record, place: Place, series: Series, key: str, reference
     lines = [f"  {_name_of(place, key)}, reference {reference.value:.7g}{unit} ({finer.label if finer else reference.kind})",
              f"    {series.parameter:<{width}}{'unknowns':>10}{'seconds':>10}{'value':>14}{'bar':>14}{'error':>16}{'order':>8}"]
     levels = [level for level in series.levels if key in level.values]
-    for level, order in zip([*levels, *[finer] * bool(finer)], [*record.orders(series, key, reference), None]):
+    for level, order in zip([*levels, *([finer] if finer else [])], [*record.orders(series, key, reference), None]):
         own = level is finer or level is levels[-1] and reference.kind == "finest"
         value, bar = level.values[key], level.bars.get(key)
         error = "reference" if own else percent(key, record.error(key, value, reference))
