@@ -252,6 +252,8 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
     if (!extra[0].empty()) throw Refusal(err_other, "extra rigid slip of elements in FASTSIM");
     result = theories::models().at(made.model).run(*scene, {}, nullptr);
     patch.grid = result.grid;
+    patch.nx = patch.grid.nx;
+    patch.ny = patch.grid.ny;
   } else {
     if (scene->is_history()) scene->past = std::make_shared<contact::StepPast>();
     const auto& [dx, dy] = *scene->contact_grid.cell_size;
@@ -264,20 +266,17 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
       patch.point = std::move(*point);
       return patch;
     }
-    const ContactGrid area = patch.grid;
-    if (history_ && !same_grid(last_->grid, area))
+    if (history_ && !same_grid(last_->grid, patch.grid))
       throw Refusal(err_discr, "digit P = 0: the grid differs from that of the step before");
     contact::LevelResult level = solve_on(*scene, patch.grid);
     remember(*scene, level);
-    patch.first_column = (patch.grid.nx - area.nx) / 2;
-    patch.first_row = (patch.grid.ny - area.ny) / 2;
+    patch.first_column = (patch.grid.nx - patch.nx) / 2;
+    patch.first_row = (patch.grid.ny - patch.ny) / 2;
     result.points = std::move(level.points);
     result.grid = patch.grid;
     result.name = "halfspace";
   }
   contact::check_validity(*scene, result);
-  patch.nx = patch.grid.nx - 2 * patch.first_column;
-  patch.ny = patch.grid.ny - 2 * patch.first_row;
   patch.point = std::move(result.points.front());
   return patch;
 }
