@@ -121,7 +121,9 @@ void add_slip(const ElementSlip& extra, const Patch& patch, Scene& scene) {
     for (int j = 0; j < patch.ny; ++j)
       for (int i = 0; i < patch.nx; ++i)
         all.values[k][static_cast<std::size_t>(patch.index(i, j))] =
-            patch.along * extra[k][static_cast<std::size_t>(j * patch.nx + i)];
+            patch.along *
+            extra[k][static_cast<std::size_t>(j) * static_cast<std::size_t>(patch.nx) +
+                     static_cast<std::size_t>(i)];
   scene.geometry.extra_slip = contact::ExtraSlip::file;
   scene.geometry.extra_slip_values = std::move(all);
 }
