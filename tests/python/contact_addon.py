@@ -259,6 +259,14 @@ def steps():
         assert calculate(21, 1) == 0
     for found, wanted in zip(reals("cntc_getcontactforces", 21, 1, count=4), steady):
         near(found, wanted, 0.01, "after 60 steps of one element")
+    # After steady rolling it stays as it is.
+    flags(21, 1, {TANG: 3})
+    assert calculate(21, 1) == 0
+    flags(21, 1, {TANG: 2})
+    for number in range(3):
+        assert calculate(21, 1) == 0
+        for found, wanted in zip(reals("cntc_getcontactforces", 21, 1, count=4), steady):
+            near(found, wanted, 1e-4, f"step {number} after steady rolling")
     call("cntc_finalize", 21)
 
 

@@ -119,6 +119,7 @@ WheelHistory::WheelHistory(const std::vector<CellSize>& levels, std::vector<cont
 void WheelHistory::begin(Case here, std::vector<Scene> contacts, const PlacedWheels& placed) {
   here_ = std::move(here);
   placed_ = &placed;
+  settled_.clear();
   take(std::move(contacts));
   length_ = here_.history.front().step_length;
   if (std::exchange(steady_, contacts_.front().problem_of(0) == Problem::steady)) {
@@ -137,7 +138,9 @@ void WheelHistory::begin(Case here, std::vector<Scene> contacts, const PlacedWhe
 void WheelHistory::settle() {
   const int position = contacts_.front().place->position;
   const auto place = [&](const RailVector& at) {
-    take(on_moved_rail(here_, placed_->search, position, at).balanced);
+    WheelOnRail wheel = on_moved_rail(here_, placed_->search, position, at);
+    settled_ = std::move(wheel.placed);
+    take(std::move(wheel.balanced));
   };
   rail_ = settled_rail(here_, rail_, [&](const RailVector& at) {
     place(at);
@@ -153,9 +156,9 @@ void WheelHistory::settle() {
 
 void WheelHistory::turn(double rotation) {
   for (Scene& scene : contacts_) {
-    PlacedScene placed{scene, contact_of(scene, placed_->scenes)};
-    set_rotation_changes(placed, here_, {rotation});
-    scene = std::move(placed.scene);
+    PlacedScene turned{scene, contact_of(scene, placed())};
+    set_rotation_changes(turned, here_, {rotation});
+    scene = std::move(turned.scene);
   }
 }
 
@@ -167,7 +170,7 @@ std::array<double, 2> WheelHistory::torque() {
     const contact::PointResult& point = results[c].points.front();
     load += point.normal_force;
     sum += by_force ? -point.longitudinal_force * here_.wheel.rolling_radius
-                    : driving_moment(contact_of(contacts_[c], placed_->scenes),
+                    : driving_moment(contact_of(contacts_[c], placed()),
                                      {point.longitudinal_force, point.lateral_force,
                                       point.normal_force, point.spin_moment});
   }

@@ -65,6 +65,10 @@ class WheelHistory {
   const contact::Case& here() const { return here_; }
   /// Of the last solution, with their shares of the load.
   const std::vector<contact::Scene>& contacts() const { return contacts_; }
+  /// What they were made of.
+  const std::vector<PlacedScene>& placed() const {
+    return settled_.empty() ? placed_->scenes : settled_;
+  }
 
  private:
   using Interval = std::array<double, 2>;
@@ -113,6 +117,7 @@ class WheelHistory {
 
   // The step that is being solved.
   const PlacedWheels* placed_ = nullptr;
+  std::vector<PlacedScene> settled_{};  ///< on springs
   contact::Case here_;
   std::vector<contact::Scene> contacts_;
   bool steady_ = false;  ///< as the last step was, until the next one begins
