@@ -340,7 +340,8 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
 
 /// CONTACT's axes on the track point forward, to the right and down, its body 1 is the rail.
 Patch Solver::placed_patch(const Scene& scene, contact::PointResult point, const ContactGrid& grid,
-                           const std::vector<track::PlacedScene>& placed) const {
+                           const std::vector<track::PlacedScene>& placed,
+                           const track::RailVector& rail_moved) const {
   Patch patch;
   patch.scene = std::make_shared<const Scene>(scene);
   patch.grid = grid;
@@ -353,7 +354,7 @@ Patch Solver::placed_patch(const Scene& scene, contact::PointResult point, const
   patch.placed = {
       contact,
       (patch.point.approach + contact.place.separation) / std::cos(contact.place.contact_angle),
-      (1.0 + rotation_) * contact.place.rolling_radius / input_.wheel.rolling_radius};
+      (1.0 + rotation_) * contact.place.rolling_radius / input_.wheel.rolling_radius, rail_moved};
   return patch;
 }
 
@@ -372,7 +373,8 @@ std::vector<Patch> Solver::solve_pair() {
     const auto& [dx, dy] = *scene.contact_grid.cell_size;
     ContactGrid grid = halfspace::PatchSearch(scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
     contact::LevelResult level = solve_on(scene, grid);
-    patches.push_back(placed_patch(scene, std::move(level.points.front()), grid, balanced.placed));
+    patches.push_back(placed_patch(scene, std::move(level.points.front()), grid, balanced.placed,
+                                   balanced.rail_moved));
   }
   return patches;
 }
@@ -398,7 +400,7 @@ std::vector<Patch> Solver::take_step(std::vector<Scene> contacts) {
     wheel->end(results);
     for (std::size_t c = 0; c < results.size(); ++c)
       patches.push_back(placed_patch(wheel->contacts()[c], std::move(results[c].points.front()),
-                                     results[c].grid, wheel->placed()));
+                                     results[c].grid, wheel->placed(), wheel->rail_moved()));
   }
   wheel_ = std::move(wheel);
   return patches;

@@ -60,7 +60,8 @@ struct PlacedPatch {
   double sinking = 0.0;  ///< mm, of the wheel below first touch
   /// mm, of the wheelset under the load.
   double height() const { return contact.pose.height + sinking; }
-  double circumferential = 1.0;  ///< speed of the wheel's surface over the forward speed
+  double circumferential = 1.0;    ///< speed of the wheel's surface over the forward speed
+  track::RailVector rail_moved{};  ///< by its springs
 };
 
 struct Patch {
@@ -122,7 +123,8 @@ class Solver {
   std::vector<Patch> take_step(std::vector<contact::Scene> contacts);
   Patch placed_patch(const contact::Scene& scene, contact::PointResult point,
                      const contact::ContactGrid& grid,
-                     const std::vector<track::PlacedScene>& placed) const;
+                     const std::vector<track::PlacedScene>& placed,
+                     const track::RailVector& rail_moved) const;
   contact::LevelResult solve_on(const contact::Scene& scene, contact::ContactGrid& grid);
   void remember(const contact::Scene& scene, const contact::LevelResult& level);
   std::unique_ptr<contact::Elasticity> elasticity(const contact::Scene& scene,

@@ -121,7 +121,7 @@ def run(work, text):
     for model in json.loads((work / "run/summary.json").read_text())["models"]:
         place = model["place"]["position"] if "place" in model else 1
         for p in model["points"]:
-            positions.setdefault(p.get("step", place), []).append(
+            positions.setdefault(p.get("step") or place, []).append(
                 [p["normal_force"], -p["longitudinal_force"], p["lateral_force"], p["spin_moment"]])
     return {k: sorted(forces, reverse=True) for k, forces in positions.items()}
 
@@ -206,6 +206,76 @@ def sums(what, ire, patches):
     assert math.isnan(addon.reals("cntc_getpenetration", ire, patches + 1)), (what, "a patch too many")
 
 
+def along(points, y):
+    """Length of the polyline from y = 0 to this y."""
+    total = 0.0
+    for (y0, z0), (y1, z1) in zip(points, points[1:]):
+        piece = [min(max(edge, y0), y1) for edge in sorted((0.0, y))]
+        if y1 > y0:
+            total += math.dist((y0, z0), (y1, z1)) * (piece[1] - piece[0]) / (y1 - y0)
+    return math.copysign(total, y)
+
+
+def height(points, y):
+    """z of a polyline, in either order of its points."""
+    for (y0, z0), (y1, z1) in zip(points, points[1:]):
+        if min(y0, y1) <= y <= max(y0, y1) and y0 != y1:
+            return z0 + (z1 - z0) * (y - y0) / (y1 - y0)
+    raise AssertionError(f"no point at {y}")
+
+
+def profile_values(ire, at, side, wheel, rail):
+    """Points, arc lengths and places of the profiles; `at`: where they touch."""
+    assert abs(at[7] - along(rail, side * at[5])) < 0.02, (at[7], at[5])
+    assert abs(at[12] + along(wheel, side * at[10])) < 0.02, (at[12], at[10])
+    assert at[17:19] == [0.0, 0.0], "no springs, no deflection"
+    for kind, given in ((0, rail), (1, wheel)):
+        order = -1.0 if kind else 1.0
+        asked = 2, [kind, 1], 4, [0.5, 0.0, 0.0, 0.0]
+        count = int(addon.array("cntc_getprofilevalues", ire, 0, *asked, length=1)[0])
+        both = addon.array("cntc_getprofilevalues", ire, 1, *asked, length=2 * count)
+        points = list(zip(both[:count], both[count:]))
+        arc, angle, placed = (addon.array("cntc_getprofilevalues", ire, task, *asked, length=n * count) for task, n in ((4, 1), (5, 1), (2, 2)))
+        assert abs(arc[count // 2 + 1] - arc[count // 2] - 0.5) < 1e-9 and all(b > a for a, b in zip(arc, arc[1:]))
+        for k in range(1, count - 1, 7):
+            if abs(points[k][0]) < 30.0:
+                assert abs(points[k][1] - height(given, points[k][0])) < 0.01, (kind, points[k])
+                assert abs(arc[k] - order * along(given, points[k][0])) < 0.02, (kind, points[k], arc[k])
+                slope = math.atan2(points[k + 1][1] - points[k - 1][1], points[k + 1][0] - points[k - 1][0])
+                assert abs(math.remainder(slope - angle[k], 2 * math.pi)) < 0.02, (kind, points[k], angle[k])
+        on_track = list(zip(placed[:count], placed[count:]))
+        assert abs(height(on_track, at[1]) - at[2]) < 0.15, ("where they touch", kind, at[1:3])
+    y, z, aside, down, face, deep = addon.array("cntc_getprofilevalues", ire, 3, 1, [0], 1, [1.0], length=6)
+    assert abs(side * y + aside - side * 717.5) < 0.005 and abs(deep + down - 14.0) < 1e-6 and z <= deep + 1e-6 and face >= y - 1e-6
+    assert abs(at[26] - down) < 1e-6 and abs(at[25] - aside) < 1e-6, "the rail's marker"
+    assert math.isnan(addon.array("cntc_getprofilevalues", ire, 3, 1, [1], 1, [1.0], length=6)[1]), "a wheel has no gauge point"
+    assert math.isnan(addon.array("cntc_getprofilevalues", ire, 8, 1, [0], 1, [1.0], length=6)[1]), "one section has no way"
+
+
+def located(rail_points, wheel_points):
+    """After `compare`, which has solved elements 61 and 62."""
+    for ire, side in ((61, -1.0), (62, 1.0)):
+        profile_values(ire, addon.array("cntc_getcontactlocation", ire, 1, length=38), side, wheel_points, rail_points)
+
+
+def deflected(stiffness, force):
+    """k d = F + F0 of the rail, to the right."""
+    for ire, side in ((61, -1.0), (62, 1.0)):
+        d = addon.array("cntc_getcontactlocation", ire, 1, length=38)[17]
+        on_rail = addon.array("cntc_getglobalforces", ire, -1, length=24)[1]
+        assert abs(stiffness * d - on_rail - side * force) < 2e-3 * LOAD, (ire, d, on_rail)
+
+
+def along_the_way(ire, kind, y, step, points, rise):
+    """A profile at one y, through its sections."""
+    asked = 8, 2, [kind, 1], 2, [step, y]
+    count = int(addon.array("cntc_getprofilevalues", ire, *asked, length=1)[0])
+    values = addon.array("cntc_getprofilevalues", ire, *asked, length=3 * count)
+    assert count > 3 and values[count:2 * count] == [y] * count
+    for x, z in zip(values[:count], values[2 * count:]):
+        assert abs(z - height(points, y) - rise * x * x) < 0.05, (x, z)
+
+
 def histories(work, rail, wheel):
     free, count = -1.0 / 460.0, 5
     moving = [(2.0 + 0.01 * k, 0.001 + 1e-4 * k, free * (1.0 + 1e-4 * k)) for k in range(count)]
@@ -249,6 +319,7 @@ def main():
         profile_file(rail, rail_points)
         profile_file(wheel, wheel_points)
         plain = compare(work, "plain", rail, wheel, 2.0)[0]
+        located(rail_points, wheel_points)
         # Forces: along on the rail, a torque about the axle, rails on springs.
         pulled = compare(work, "F = 1", rail, wheel, 2.0, force=1, last=5000.0)[0]
         assert abs(pulled[1] - 5000.0) < 50.0, pulled
@@ -256,13 +327,16 @@ def main():
         assert abs(turned[1] - pulled[1]) < 200.0, (turned, pulled)
         sprung = compare(work, "F = 3", rail, wheel, 2.0, force=3, springs=(2e4, 1000.0, 1e5, 0.0))[0]
         assert abs(sprung[2] - plain[2]) > 20.0, (sprung, plain)
+        deflected(2e4, 1000.0)
         # Without a gauge: a rail that rises along the way, a wheel with a flat.
         fixed = (-1.0, 753.0, 0.0, 0.025)
         slices(work / "dip.slcs", 5, 100.0, lambda at: [(y, z + 1e-5 * at * at) for y, z in rail_points], "U_OFFSET")
         risen = compare(work, "rail slices", work / "dip.slcs", wheel, 2.0, place=50.0, track=fixed)[0]
         assert abs(risen[0] - plain[0]) < 0.05 * LOAD
+        along_the_way(62, 0, 3.0, 50.0, rail_points, 1e-5)
         slices(work / "flat.slcw", 5, 0.1, lambda at: [(y, z + 0.1 * at * at) for y, z in wheel_points], "TH_OFFSET")
         compare(work, "wheel slices", rail, work / "flat.slcw", 2.0, track=fixed)
+        along_the_way(62, 1, 3.0, 0.05, wheel_points, 0.1)
         compare(work, "two patches", rail, wheel, 6.2, patches=2, track=(14.0, 0.0, 1435.0, 0.05))
         histories(work, rail, wheel)
         print("plain, F = 1 to 3, slices, two patches: ok")

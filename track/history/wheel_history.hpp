@@ -65,6 +65,7 @@ class WheelHistory {
   const contact::Case& here() const { return here_; }
   /// Of the last solution, with their shares of the load.
   const std::vector<contact::Scene>& contacts() const { return contacts_; }
+  const RailVector& rail_moved() const { return rail_; }
   /// What they were made of.
   const std::vector<PlacedScene>& placed() const {
     return settled_.empty() ? placed_->scenes : settled_;
