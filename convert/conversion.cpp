@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "convert/equivalent_case.hpp"
+#include "convert/steps.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,22 +26,11 @@ struct Group {
   std::vector<int> cases;
   std::vector<Point> points;
   std::vector<std::string> notes;
-  bool starts_steady = false;
   double place = 0.0;  ///< Equivalent::place of the last case
 };
 
 bool is_in(const std::string& section, const std::string& path) {
   return contact::find_key(path)->section == section;
-}
-
-/// Whether the keys are equal, some of them may be lists over load points, and the values of load
-/// keys, which may not, are equal.
-bool same_keys(const Point& a, const Point& b) {
-  const auto is_load = [](auto& entry) { return is_in("load", entry.first); };
-  return !std::all_of(a.begin(), a.end(), is_load) &&
-         std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](auto& x, auto& y) {
-           return x.first == y.first && (!is_load(x) || x.second == y.second);
-         });
 }
 
 /// Turns a shift into a step of rolling by `length`.
@@ -79,15 +69,6 @@ void follow_patch(const Group& group, Equivalent& next) {
       "the patch moves along x in CONTACT's axes: here the axes move with it, and it rolls");
 }
 
-/// In a step of T = 1 in axes of the track the patch moves by the change of S.
-void set_way(double way, Equivalent& next) {
-  if (way > 0.0)
-    next.varied["history.step_length"] = way;
-  else
-    next.impossible.push_back(
-        fmt::format("digit T = 1: the contact moves by {:g} mm (S) and does not roll", way));
-}
-
 /// Gives the first step the approach of the next one, to which its force leads.
 void press_first_step(Group& group, const Equivalent& next) {
   const auto approach = next.varied.find("history.approach");
@@ -103,50 +84,21 @@ void press_first_step(Group& group, const Equivalent& next) {
 }
 
 bool joins(const Group& group, const Equivalent& next) {
-  const Equivalent& first = group.first;
-  return first.from_sliding == next.from_sliding && first.model == next.model &&
-         first.problem == next.problem && first.fixed == next.fixed &&
-         first.distance == next.distance && first.history() == next.continues &&
-         same_keys(group.points.front(), next.varied);
-}
-
-/// Turns a value that all cases share into a value of one of them.
-void loosen(Equivalent& made, const std::string& section, const std::string& key,
-            const std::string& path, Point& point) {
-  auto& settings = made.fixed[section];
-  const auto found = std::find_if(settings.begin(), settings.end(),
-                                  [&](const Setting& setting) { return setting.key == key; });
-  if (found != settings.end()) {
-    point[path] = std::get<double>(found->value);
-    settings.erase(found);
-  }
-  if (settings.empty()) made.fixed.erase(section);
+  return follows(group.first, group.points.front(), next);
 }
 
 /// Turns the last steady case, alone in its group, into the first step of the transient that `next`
 /// continues; false if that is impossible.
 bool start_steadily(std::vector<Group>& groups, const Equivalent& next) {
   Group& last = groups.back();
-  if (!next.continues || next.problem != "transient" || last.first.problem != "steady")
-    return false;
-  Group steps{last.first, {last.cases.back()}, {last.points.back()}, last.notes, true, last.place};
-  steps.first.problem = next.problem;
-  if (steps.first.from_sliding != next.from_sliding)
+  Equivalent steady = last.first;
+  steady.varied = last.points.back();
+  const auto start = steady_start(std::move(steady), next);
+  if (!start) return false;
+  Group steps{*start, {last.cases.back()}, {start->varied}, last.notes, last.place};
+  if (last.first.from_sliding != next.from_sliding)
     steps.notes.push_back(
         fmt::format("INISLP of case {} is taken to be that of the steps", steps.cases.front()));
-  steps.first.from_sliding = next.from_sliding;
-  Point& point = steps.points.front();
-  loosen(steps.first, "load", "vertical_force", "history.vertical_force", point);
-  loosen(steps.first, "wheelset", "rotation_change", "wheelset.rotation_change", point);
-  for (const std::string load : {"normal_force", "approach"})
-    if (next.varied.count("history." + load) != 0)
-      if (auto found = point.extract("load." + load)) {
-        found.key() = "history." + load;
-        point.insert(std::move(found));
-      }
-  const double length = point["history.step_length"] = next.varied.at("history.step_length");
-  if (next.varied.count("history.wheel_way") != 0) point["history.wheel_way"] = length;
-  if (!joins(steps, next)) return false;
   last.cases.pop_back();
   last.points.pop_back();
   if (last.cases.empty()) groups.pop_back();
@@ -219,7 +171,7 @@ std::string section_text(const Group& group, const std::string& section, const s
     add(values_text(contact::find_key(path)->name, values, std::exchange(listed, false)));
   }
   if (section == "friction" && group.first.from_sliding) add("branch = \"sliding\"");
-  if (section == "history" && group.starts_steady) add("start = \"steady\"");
+  if (section == "history" && group.first.starts_steady) add("start = \"steady\"");
   if (section == "history" && group.first.history() && alike)
     add(fmt::format("steps = {}", group.points.size()));
   if (section == "undeformed_distance" && !group.first.distance.empty())
@@ -297,7 +249,7 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
     if (!is_chosen) continue;
     if (open) follow_patch(groups.back(), made);
     if (open && made.continues && given.module == 1 && given.digits.T == 1)
-      set_way(made.place - groups.back().place, made);
+      set_way(groups.back().place, made);
     const bool joined = made.impossible.empty() && open && can_join(groups, made);
     if (made.impossible.empty() && made.continues && !joined)
       made.impossible.push_back(
@@ -312,7 +264,7 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
       conversion.refused.push_back({given.number, given.line, made.impossible});
       continue;
     }
-    if (!joined) groups.push_back({made, {}, {}, {}, false, 0.0});
+    if (!joined) groups.push_back({made, {}, {}, {}, 0.0});
     add(groups.back(), given.number, made);
   }
   const std::size_t digits =

@@ -37,9 +37,10 @@ using Point = std::map<std::string, double>;
 
 struct Equivalent {
   std::string model = "halfspace";
-  std::string problem;        ///< a word of rolling.problem
-  bool continues = false;     ///< starts from the state of the previous case
-  bool from_sliding = false;  ///< friction.branch
+  std::string problem;         ///< a word of rolling.problem
+  bool continues = false;      ///< starts from the state of the previous case
+  bool from_sliding = false;   ///< friction.branch
+  bool starts_steady = false;  ///< history.start: the first step of a transient is steady rolling
   /// Of each section, the same for all cases that share a file.
   std::map<std::string, std::vector<Setting>> fixed;
   Point varied;

@@ -54,23 +54,32 @@ contact::Lattice lattice_of(const std::vector<std::array<double, 3>>& points, in
 }  // namespace
 
 contact::NamedValues values_of(const Equivalent& made) {
+  return values_of(made, {made.varied});
+}
+
+contact::NamedValues values_of(const Equivalent& made, std::vector<Point> points) {
   contact::NamedValues values;
   for (const auto& [section, settings] : made.fixed)
     for (const Setting& setting : settings)
       values.emplace_back(section.empty() ? setting.key : section + "." + setting.key,
                           setting.value);
-  std::vector<Point> points{made.varied};
   remove_unused_values(points);
-  for (const auto& [path, value] : points.front()) values.emplace_back(path, value);
+  for (const auto& [path, value] : points.front()) {
+    std::vector<double> of_points;
+    for (const Point& point : points) of_points.push_back(point.at(path));
+    values.emplace_back(path, points.size() > 1 ? contact::KeyValue(of_points) : value);
+  }
   if (made.problem != "steady") values.emplace_back("rolling.problem", made.problem);
   if (made.from_sliding) values.emplace_back("friction.branch", "sliding");
+  if (made.starts_steady) values.emplace_back("history.start", "steady");
   if (!made.distance.empty())
     values.emplace_back("undeformed_distance.quadratic", std::vector<double>{1e-3, 1e-3});
   return values;
 }
 
-contact::Case case_of(const Equivalent& made, const std::string& name) {
-  contact::Case input = contact::make_case(values_of(made), name);
+contact::Case case_of(const Equivalent& made, const contact::NamedValues& values,
+                      const std::string& name) {
+  contact::Case input = contact::make_case(values, name);
   if (made.distance.empty()) return input;
   const auto row = std::find_if(made.distance.begin(), made.distance.end(), [&](const auto& point) {
     return point[1] != made.distance.front()[1];

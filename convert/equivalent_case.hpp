@@ -15,11 +15,14 @@ namespace rollfem::convert {
 /// points.
 void remove_unused_values(std::vector<Point>& points);
 
-/// All its keys, with a shape that stands for the distances of points.
+/// All keys of a case with these load points, with a shape that stands for the distances of points.
+contact::NamedValues values_of(const Equivalent& made, std::vector<Point> points);
+/// Of its own load point alone.
 contact::NamedValues values_of(const Equivalent& made);
 
-/// The case of one load point, without a file; `name` represents it in messages. Throws
+/// The case of these values, without a file; `name` represents it in messages. Throws
 /// contact::InputError where values are out of bounds.
-contact::Case case_of(const Equivalent& made, const std::string& name);
+contact::Case case_of(const Equivalent& made, const contact::NamedValues& values,
+                      const std::string& name);
 
 }  // namespace rollfem::convert

@@ -85,7 +85,8 @@ Markers markers_of(const Problem& problem, const Patch& patch) {
   const Vector3 origin = track::profile_origin(axle, radius);
   const std::size_t k = left ? 0 : 1;
   const contact::Displacement& moved = input.wheel_displacement;
-  return {marker({0.0, side * rail.shift_y, rail.shift_z}, side * rail.angle, 0.0),
+  const auto& [aside, down] = patch.placed->rail_moved;
+  return {marker({0.0, side * rail.shift_y + aside, rail.shift_z + down}, side * rail.angle, 0.0),
           marker({origin[0], side * origin[1], origin[2]}, pose.roll + moved.roll[k],
                  pose.yaw + moved.yaw[k]),
           marker({0.0, pose.lateral_shift, pose.height - radius}, pose.roll, pose.yaw)};
@@ -107,20 +108,35 @@ void append(const Vector3d& place, const Units& units, Values& to) {
 
 }  // namespace
 
+double arc_length(const profiles::ProfileCurve& curve, bool wheel, double y) {
+  return (wheel ? -1.0 : 1.0) * (curve.parameter_at(y) - curve.parameter_at(0.0));
+}
+
+std::array<double, 2> on_track(const Problem& problem, const Patch& patch, double y, double z) {
+  const double side = track::side_sign(patch.placed->contact.place.left);
+  const Marker wheel = markers_of(problem, patch).wheel;
+  const Vector3d place = wheel.place + wheel.axes * Vector3d(0.0, side * y, z);
+  return {place.y(), place.z()};
+}
+
 Values location_of(Problem& problem, const Patch& patch) {
   if (!patch.placed) throw Refusal(err_icp, "only module 1 has locations");
   const auto& [rail, wheel, set] = markers_of(problem, patch);
   const Vector3d at = reference_of(patch), middle = pressure_centre(patch);
-  const double angle = angle_of(patch), moved = problem.given.digits.F == 3 ? none : 0.0;
+  const double angle = angle_of(patch);
+  const contact::ContactPlace& touched = patch.placed->contact.place;
+  const track::ProfilePair& profiles = problem.solver.search().profiles;
+  const auto& [aside, down] = patch.placed->rail_moved;
+  const auto out = [&](double mm) { return problem.units.out(mm); };
   Values v;
   const auto add = [&](const Vector3d& place, std::initializer_list<double> rest) {
     append(place, problem.units, v);
     v.insert(v.end(), rest);
   };
   add(at, {angle});
-  add(rail.seen(at), {none, angle - rail.roll});
-  add(wheel.seen(at), {none, angle - wheel.roll});
-  add({middle.x(), middle.y(), none}, {moved, moved, none});
+  add(rail.seen(at), {out(arc_length(profiles.rail, false, touched.y_rail)), angle - rail.roll});
+  add(wheel.seen(at), {out(arc_length(profiles.wheel, true, touched.y_wheel)), angle - wheel.roll});
+  add({middle.x(), middle.y(), none}, {out(aside), out(down), none});
   add(wheel.place, {wheel.roll, wheel.yaw});
   add(rail.place, {rail.roll, none});
   v.erase(v.end() - 5);  // x

@@ -9,7 +9,14 @@
 
 namespace rollfem::addon {
 
-/// Of cntc_getcontactlocation; nan: the arc lengths SCP and the deflection of rails on springs.
+/// Along a profile from y = 0, mm, in CONTACT's order of its points: y ascends on a rail and
+/// descends on a wheel.
+double arc_length(const profiles::ProfileCurve& curve, bool wheel, double y);
+
+/// y and z on the track of a point of the wheel's profile, mm.
+std::array<double, 2> on_track(const Problem& problem, const Patch& patch, double y, double z);
+
+/// Of cntc_getcontactlocation.
 std::vector<double> location_of(Problem& problem, const Patch& patch);
 
 /// Of cntc_getglobalforces: forces and moments on the output body in four frames.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <optional>
 
 namespace rollfem::addon {
 
@@ -112,11 +113,11 @@ Eigen::Vector4d outputs(const Patch& patch, double fstat) {
 }
 
 /// By PEN, CKSI, CETA and CPHI: central differences with the approach and the creepages given.
-Eigen::Matrix4d sensitivities_of(const Problem& problem, bool of_friction) {
+/// `moved`: before it was solved.
+Eigen::Matrix4d sensitivities_of(Problem moved, const Patch& patch, bool of_friction) {
   Eigen::Matrix4d found = Eigen::Matrix4d::Zero();
-  const contact::PointResult& at = problem.patches.front().point;
-  const double turned = problem.patches.front().along;
-  Problem moved = problem;
+  const contact::PointResult& at = patch.point;
+  const double turned = patch.along;
   convert::ContactCase& given = moved.given;
   if (given.friction.empty()) return found;
   given.digits.N = given.digits.F = 0;
@@ -134,7 +135,8 @@ Eigen::Matrix4d sensitivities_of(const Problem& problem, bool of_friction) {
       values[static_cast<std::size_t>(k)] += side * step[static_cast<std::size_t>(k)];
       moved.penetration = values[0];
       moved.creepage = {values[1], values[2], values[3]};
-      const auto patches = moved.solver.solve(moved.whole(), moved.profile_text, moved.extra_slip);
+      Solver solver = moved.solver;  // a step leaves nothing to the next difference
+      const auto patches = solver.solve(moved.whole(), moved.profile_text, moved.extra_slip);
       found.col(k) +=
           0.5 * side / step[static_cast<std::size_t>(k)] * outputs(patches.front(), fstat);
     }
@@ -151,12 +153,13 @@ int calculate(Problem& problem) {
   const ContactCase given = problem.whole();
   check(given);
   if (given.digits.R >= 2) return 0;
+  const int sens = problem.flags[ic_sens];
+  std::optional<Problem> before;
+  if (sens >= 2 && given.module == 3) before = problem;
   problem.patches = problem.solver.solve(given, problem.profile_text, problem.extra_slip);
   ++problem.cases;
-  const auto sens = problem.flags.find(ic_sens);
   problem.sensitivities.setZero();
-  if (sens != problem.flags.end() && sens->second >= 2 && given.module == 3)
-    problem.sensitivities = sensitivities_of(problem, sens->second >= 3);
+  if (before) problem.sensitivities = sensitivities_of(*before, problem.patches.front(), sens >= 3);
   problem.wall += watch.seconds();
   problem.cpu += static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   int border = 0;

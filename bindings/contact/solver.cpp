@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "convert/equivalent_case.hpp"
+#include "convert/steps.hpp"
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -128,6 +129,16 @@ void add_slip(const ElementSlip& extra, const Patch& patch, Scene& scene) {
   scene.geometry.extra_slip_values = std::move(all);
 }
 
+/// One row of the case of a wheel's history as a case of one position.
+contact::Case step_of(const contact::Case& rows, std::size_t k) {
+  contact::Case here = track::case_at(rows, k);
+  contact::Wheelset& wheelset = here.wheelset;
+  for (auto* list : {&wheelset.lateral_shift, &wheelset.yaw, &wheelset.roll, &wheelset.height,
+                     &wheelset.track_position, &wheelset.wheel_angle})
+    if (list->size() > 1) *list = {list->at(k)};
+  return here;
+}
+
 void refuse_impossible(const Equivalent& made) {
   if (!made.impossible.empty())
     throw Refusal(err_other, fmt::format("{}", fmt::join(made.impossible, "; ")));
@@ -135,46 +146,84 @@ void refuse_impossible(const Equivalent& made) {
 
 }  // namespace
 
+/// What a step continues, as the first step of its history if it is not a step itself; nothing for
+/// a case that begins, as one without a case before it does.
+std::optional<Equivalent> Solver::start_of(const convert::ContactCase& given, Equivalent& made) {
+  if (!made.continues || !before_) return {};
+  if (given.module == 1 && given.digits.T == 1) convert::set_way(before_->place, made);
+  refuse_impossible(made);
+  std::optional<Equivalent> start =
+      before_->history() ? before_ : convert::steady_start(*before_, made);
+  if (start && convert::follows(*start, start->varied, made)) return start;
+  throw Refusal(err_other,
+                "digit P = 0: the case continues another one but differs from it in more than "
+                "load, creepages and forces");
+}
+
 std::vector<Patch> Solver::solve(const convert::ContactCase& given, const ProfileTexts& texts,
                                  const ElementSlip& extra) {
   Equivalent made = convert::equivalent_of(given, "");
-  const bool continues = made.continues;
-  if (given.module == 1 && continues)
-    made.impossible.push_back("digit P = 0 in module 1: a step that continues the case before");
   refuse_impossible(made);
-  if (!continues) history_.reset();
-  set_case(made, texts);
-  if (given.module == 3) return {solve_single(given, made, extra)};
-  if (!extra[0].empty()) throw Refusal(err_other, "extra rigid slip of elements in module 1");
-  return solve_pair();
+  if (given.module == 1 && !extra[0].empty())
+    throw Refusal(err_other, "extra rigid slip of elements in module 1");
+  const std::optional<Equivalent> start = start_of(given, made);
+  if (!start) {
+    before_.reset();
+    history_.reset();
+    wheel_.reset();
+  }
+  std::vector<Patch> patches;
+  if (given.module == 3) {
+    set_case(made, texts, start && !history_ ? &*start : nullptr);
+    patches = {solve_single(given, made, extra)};
+  } else {
+    if (start && !wheel_) {
+      set_case(*start, texts);
+      solve_pair();
+    }
+    set_case(made, texts, start ? &*start : nullptr);
+    patches = solve_pair();
+  }
+  before_ = std::move(made);
+  return patches;
 }
 
-void Solver::set_case(Equivalent made, const ProfileTexts& texts) {
+void Solver::set_case(Equivalent made, const ProfileTexts& texts, const Equivalent* start) {
   theories::models();  // declare their keys
   halfspace::models();
-  const bool whole = made.history() || made.fixed.count("wheelset") > 0;
-  const contact::NamedValues before = std::exchange(values_, {}),  // none if one is refused
-      values = convert::values_of(made);
-  if (!whole && !before.empty() && made_->distance == made.distance &&
-      same_but_numbers(before, values)) {
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (values[k] != before[k]) set_value(values[k].first, values[k].second, input_);
+  const bool pair = made.fixed.count("wheelset") > 0, history = made.history();
+  const contact::NamedValues before = std::exchange(values_, {});  // none if one is refused
+  contact::NamedValues values;
+  if (history && (pair || start != nullptr)) {
+    const Equivalent& first = start != nullptr ? *start : made;
+    const contact::Case rows =
+        convert::case_of(first, convert::values_of(first, {first.varied, made.varied}), "contact");
+    input_ = pair ? step_of(rows, made.starts_steady ? 0 : 1) : rows;
   } else {
-    input_ = convert::case_of(made, "contact");
+    values = convert::values_of(made);
+    if (!history && !pair && !before.empty() && made_->distance == made.distance &&
+        same_but_numbers(before, values)) {
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (values[k] != before[k]) set_value(values[k].first, values[k].second, input_);
+    } else {
+      input_ = convert::case_of(made, values, "contact");
+    }
   }
-  values_ = values;
+  values_ = std::move(values);
   made_ = std::move(made);
-  if (input_.has_profiles()) read_profiles(texts);
+  if (input_.has_profiles()) read_profiles(texts, start != nullptr);
 }
 
-void Solver::read_profiles(const ProfileTexts& texts) {
+/// `goes_on`: the case is a step of a history, for which the track stays as it was placed.
+void Solver::read_profiles(const ProfileTexts& texts, bool goes_on) {
   const std::string profile_keys =
       keys_of(*made_, {"wheel", "rail", "wheel_profile", "rail_profile"}) + texts[0] + texts[1];
   std::string search_keys = keys_of(*made_, {"track", "rail_displacement"});
   for (const convert::Setting& setting : made_->fixed.at("wheelset"))
     if (setting.key == "side" || setting.key.rfind("flange", 0) == 0) search_keys += setting.line();
-  const bool varies = profiles_.wheel_sections || profiles_.rail_sections;
+  const bool varies = !goes_on && (profiles_.wheel_sections || profiles_.rail_sections);
   if (!varies && profile_keys == profile_keys_ && search_keys == search_keys_) return;
+  if (goes_on) throw Refusal(err_profil, "digit P = 0: the profiles have changed");
   try {
     if (profile_keys != profile_keys_) profiles_ = repaired_profiles(input_, texts);
     profile_keys_ = search_keys_ = "";
@@ -228,7 +277,7 @@ contact::LevelResult Solver::solve_on(const Scene& scene, ContactGrid& grid) {
 
 /// What the next call starts from.
 void Solver::remember(const Scene& scene, const contact::LevelResult& level) {
-  const contact::PointResult& point = level.points.front();
+  const contact::PointResult& point = level.points.back();
   last_.emplace();
   last_->grid = level.grid;
   last_->pressure = level.pressure;
@@ -237,9 +286,15 @@ void Solver::remember(const Scene& scene, const contact::LevelResult& level) {
   last_->points.front().creepage = point.creepage;
   if (!scene.is_history()) return;
   if (!history_) history_.emplace(level.grid, scene.upwind_order);
-  const auto& u = point.fields.displacement;
-  const bool rolls = scene.problem == contact::Problem::transient;
-  history_->advance({u.x, u.y}, rolls ? scene.points.front().step_length : 0.0, level.after);
+  const double length =
+      scene.problem == contact::Problem::transient ? scene.points.back().step_length : 0.0;
+  for (const contact::PointResult& step : level.points) {
+    const auto& u = step.fields.displacement;
+    history_->advance({u.x, u.y}, length, level.after);
+    // Steady rolling is as if the next step had been made before, too.
+    if (scene.starts_steady && &step == &level.points.front())
+      history_->advance({u.x, u.y}, length, level.after);
+  }
 }
 
 Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& made,
@@ -279,40 +334,75 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
     result.name = "halfspace";
   }
   contact::check_validity(*scene, result);
-  patch.point = std::move(result.points.front());
+  patch.point = std::move(result.points.back());
   return patch;
 }
 
 /// CONTACT's axes on the track point forward, to the right and down, its body 1 is the rail.
+Patch Solver::placed_patch(const Scene& scene, contact::PointResult point, const ContactGrid& grid,
+                           const std::vector<track::PlacedScene>& placed,
+                           const track::RailVector& rail_moved) const {
+  Patch patch;
+  patch.scene = std::make_shared<const Scene>(scene);
+  patch.grid = grid;
+  patch.nx = grid.nx;
+  patch.ny = grid.ny;
+  patch.point = std::move(point);
+  patch.along = -1.0;
+  patch.turns_rows = true;
+  const track::WheelRailContact& contact = track::contact_of(scene, placed);
+  patch.placed = {
+      contact,
+      (patch.point.approach + contact.place.separation) / std::cos(contact.place.contact_angle),
+      (1.0 + rotation_) * contact.place.rolling_radius / input_.wheel.rolling_radius, rail_moved};
+  return patch;
+}
+
 std::vector<Patch> Solver::solve_pair() {
+  const std::vector<double>& turning = input_.wheelset.rotation_change;
+  if (!wheel_ || !turning.empty()) rotation_ = turning.empty() ? 0.0 : turning.front();
   track::SearchOptions options;
   options.with_reserve = input_.load.vertical_force.has_value();
   placed_.scenes.clear();
   if (!input_.track.rail_stiffness)
     placed_.scenes = track::make_scenes(input_, placed_.search, options);
   const track::BalancedCase balanced = track::balance(input_, placed_);
+  if (!input_.history.empty()) return take_step(balanced.scenes);
   std::vector<Patch> patches;
-  for (const Scene& one : balanced.scenes) {
-    Patch patch;
-    const auto scene = std::make_shared<const Scene>(one);
-    patch.scene = scene;
-    const auto& [dx, dy] = *scene->contact_grid.cell_size;
-    patch.grid = halfspace::PatchSearch(*scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
-    contact::LevelResult level = solve_on(*scene, patch.grid);
-    patch.nx = patch.grid.nx;
-    patch.ny = patch.grid.ny;
-    patch.point = std::move(level.points.front());
-    patch.along = -1.0;
-    patch.turns_rows = true;
-    const track::WheelRailContact& contact = track::contact_of(*scene, balanced.placed);
-    const double turning =
-        input_.wheelset.rotation_change.empty() ? 0.0 : input_.wheelset.rotation_change.front();
-    patch.placed = {
-        contact,
-        (patch.point.approach + contact.place.separation) / std::cos(contact.place.contact_angle),
-        (1.0 + turning) * contact.place.rolling_radius / input_.wheel.rolling_radius};
-    patches.push_back(std::move(patch));
+  for (const Scene& scene : balanced.scenes) {
+    const auto& [dx, dy] = *scene.contact_grid.cell_size;
+    ContactGrid grid = halfspace::PatchSearch(scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
+    contact::LevelResult level = solve_on(scene, grid);
+    patches.push_back(placed_patch(scene, std::move(level.points.front()), grid, balanced.placed,
+                                   balanced.rail_moved));
   }
+  return patches;
+}
+
+/// A step that fails leaves those before it as they were.
+std::vector<Patch> Solver::take_step(std::vector<Scene> contacts) {
+  const auto solve = [](const Scene& scene, const auto&, contact::Checkpoint*) {
+    return halfspace::models().at("halfspace").run(scene, {}, nullptr);
+  };
+  auto wheel =
+      wheel_ ? std::make_shared<track::WheelHistory>(*wheel_)
+             : std::make_shared<track::WheelHistory>(std::vector{*input_.contact_grid.cell_size},
+                                                     std::vector<contact::Note>(), solve);
+  std::vector<Patch> patches;
+  if (contacts.empty()) {
+    wheel->miss(input_.history.front().step_length);
+  } else {
+    wheel->begin(input_, std::move(contacts), placed_);
+    if (input_.wheelset.free_rolling != contact::FreeRolling::none)
+      rotation_ = track::find_rotation({wheel.get()}, rotation_);
+    if (input_.track.rail_stiffness) wheel->settle();
+    std::vector<contact::ModelResult> results = wheel->solve();
+    wheel->end(results);
+    for (std::size_t c = 0; c < results.size(); ++c)
+      patches.push_back(placed_patch(wheel->contacts()[c], std::move(results[c].points.front()),
+                                     results[c].grid, wheel->placed(), wheel->rail_moved()));
+  }
+  wheel_ = std::move(wheel);
   return patches;
 }
 

@@ -9,6 +9,7 @@
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "track/balance/balance.hpp"
+#include "track/history/wheel_history.hpp"
 
 #include "convert/contact_case.hpp"
 #include "convert/equivalent.hpp"
@@ -59,7 +60,8 @@ struct PlacedPatch {
   double sinking = 0.0;  ///< mm, of the wheel below first touch
   /// mm, of the wheelset under the load.
   double height() const { return contact.pose.height + sinking; }
-  double circumferential = 1.0;  ///< speed of the wheel's surface over the forward speed
+  double circumferential = 1.0;    ///< speed of the wheel's surface over the forward speed
+  track::RailVector rail_moved{};  ///< by its springs
 };
 
 struct Patch {
@@ -110,11 +112,19 @@ class Solver {
   const track::SearchScene& search() const { return placed_.search; }
 
  private:
-  void set_case(convert::Equivalent made, const ProfileTexts& texts);
-  void read_profiles(const ProfileTexts& texts);
+  void set_case(convert::Equivalent made, const ProfileTexts& texts,
+                const convert::Equivalent* start = nullptr);
+  void read_profiles(const ProfileTexts& texts, bool goes_on);
+  std::optional<convert::Equivalent> start_of(const convert::ContactCase& given,
+                                              convert::Equivalent& made);
   Patch solve_single(const convert::ContactCase& given, const convert::Equivalent& made,
                      const ElementSlip& extra);
   std::vector<Patch> solve_pair();
+  std::vector<Patch> take_step(std::vector<contact::Scene> contacts);
+  Patch placed_patch(const contact::Scene& scene, contact::PointResult point,
+                     const contact::ContactGrid& grid,
+                     const std::vector<track::PlacedScene>& placed,
+                     const track::RailVector& rail_moved) const;
   contact::LevelResult solve_on(const contact::Scene& scene, contact::ContactGrid& grid);
   void remember(const contact::Scene& scene, const contact::LevelResult& level);
   std::unique_ptr<contact::Elasticity> elasticity(const contact::Scene& scene,
@@ -128,9 +138,12 @@ class Solver {
   track::ProfilePair profiles_;
   track::PlacedWheels placed_;
   std::optional<halfspace::Halfspaces> halfspaces_;
-  std::optional<contact::LevelResult> last_;  ///< of module 3
-  std::optional<contact::History> history_;   ///< of its steps
-  std::shared_ptr<FewContact> few_;           ///< null: not yet needed
+  std::optional<convert::Equivalent> before_;   ///< of the last call; none: not solved
+  std::optional<contact::LevelResult> last_;    ///< of module 3
+  std::optional<contact::History> history_;     ///< of its steps
+  std::shared_ptr<track::WheelHistory> wheel_;  ///< of the steps of module 1; null: none
+  double rotation_ = 0.0;                       ///< of the wheel (Wheelset::rotation_change)
+  std::shared_ptr<FewContact> few_;             ///< null: not yet needed
 };
 
 }  // namespace rollfem::addon

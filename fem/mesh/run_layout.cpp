@@ -309,6 +309,12 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
   options.plastic_half_width = extended(0.0, extent[1] * (patch.half_width + 0.25 * depth));
   options.fine_half_width = extended(options.fine_half_width, options.plastic_half_width);
   set_depths(extent[2] * depth, options);
+  // The segment grows with the region that may yield; a given extent is kept.
+  constexpr double beyond = 1.25;
+  if (!scene.body_extent)
+    options.extent = std::max(options.extent,
+                              beyond * std::max({options.fine_half_length, options.fine_half_width,
+                                                 options.fine_depth * h}));
   const double first = options_of(scene).surface_layer.value_or(
       std::min(chosen_row(scene, *body.plasticity, body.material.young_modulus, patch),
                row_of_heat(scene, is_wheel)));

@@ -259,6 +259,14 @@ def steps():
         assert calculate(21, 1) == 0
     for found, wanted in zip(reals("cntc_getcontactforces", 21, 1, count=4), steady):
         near(found, wanted, 0.01, "after 60 steps of one element")
+    # After steady rolling it stays as it is.
+    flags(21, 1, {TANG: 3})
+    assert calculate(21, 1) == 0
+    flags(21, 1, {TANG: 2})
+    for number in range(3):
+        assert calculate(21, 1) == 0
+        for found, wanted in zip(reals("cntc_getcontactforces", 21, 1, count=4), steady):
+            near(found, wanted, 1e-4, f"step {number} after steady rolling")
     call("cntc_finalize", 21)
 
 
@@ -282,6 +290,27 @@ def heat_and_no_friction():
     assert reals("cntc_getcontactforces", 23, 1, count=4)[1:] == [0.0, 0.0, 0.0]
     assert reals("cntc_getmaximumtraction", 23, 1) == 0.0
     call("cntc_finalize", 23)
+
+
+def layer_that_yields():
+    """Where it yields nothing slides, and tractions are the yield stress tau_c0 + k u*."""
+    begin(24, 3)
+    for hardening in (0.0, 2000.0, -500.0):
+        sphere(24)
+        call("cntc_setmaterialparameters", 24, 1, 4, 8, [NU, NU, G, G, G, 0.02, 100.0, hardening])
+        call("cntc_setcreepages", 24, 1, 3e-3, 2e-3, 0.0)
+        assert calculate(24, 1) == 0
+        px, py, stress, ux, uy, sx = (array("cntc_getfielddata", 24, 1, field, length=33 * 33) for field in (3, 4, 11, 12, 13, 15))
+        state = array("cntc_getelementdivision", 24, 1, length=33 * 33, kind=C.c_int)
+        assert state.count(3) > 500 and state.count(2) > 50
+        for e, of in enumerate(state):
+            if of == 3:
+                along = ux[e] * px[e] + uy[e] * py[e]  # it yields along the traction
+                near(along, math.hypot(ux[e], uy[e]) * stress[e], 1e-3, "direction")
+                near(math.hypot(px[e], py[e]), stress[e], 1e-5, "traction")
+                near(stress[e], 100.0 + hardening * math.hypot(ux[e], uy[e]), 0.005, "yield stress")
+            assert of < 2 or (abs(sx[e]) > 1e-4) == (of == 2)
+    call("cntc_finalize", 24)
 
 
 def sensitivities():
@@ -559,7 +588,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         work = pathlib.Path(folder)
-        for test in (closed_forms, creep_curves, few_elements, extra_slip, steps, heat_and_no_friction, sensitivities, both_sides, threads):
+        for test in (closed_forms, creep_curves, few_elements, extra_slip, steps, heat_and_no_friction, layer_that_yields, sensitivities, both_sides, threads):
             test()
             print(f"{test.__name__}: ok")
         bad_calls(work / "contact_addon.out")

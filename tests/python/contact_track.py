@@ -15,7 +15,7 @@ import contact_addon as addon
 from contact_addon import CONFIG, DISCNS, FORCE, G, MU, NORM, NU, PVTIME, TANG, UNITS, call
 
 INPUT = """ 1 MODULE
- {C}2031{F}0  C-P-B-T-N-F-S
+ {C}20{T}1{F}0  C-P-B-T-N-F-S
  0022033        V-L-D-C-M-Z-E
  0000321        H-G-I-A-O-W-R
  999 100 30 1 1e-5      MAXGS, MAXIN, MAXNR, MAXOUT, EPS
@@ -31,9 +31,17 @@ INPUT = """ 1 MODULE
  {position}
  {velocity}
 
- 0 MODULE
+"""
+STEP = """ 1 MODULE
+ {C}00{T}1{F}0
+ 0101002        V-L-D-C-M-Z-E
+ 0101321        H-G-I-A-O-W-R
+ {position}
+ {velocity}
+
 """
 LOAD = 80000.0
+HISTORY = 2e-5  # of the load, between the library's and the program's steps
 
 
 def row(values):
@@ -55,7 +63,7 @@ def slices(path, count, step, points_at, unit):
     path.write_text("\n".join(lines) + "\n")
 
 
-def by_library(ire, side, rail, wheel, position, velocity, force, springs, track):
+def set_pair(ire, side, rail, wheel, force, springs, track):
     addon.begin(ire, 1)
     addon.flags(ire, -1, {UNITS: addon.CNTC, CONFIG: side, TANG: 3, PVTIME: 2, NORM: 1, DISCNS: 2, FORCE: force})
     call("cntc_setmaterialparameters", ire, -1, 0, 4, [NU, NU, G, G])
@@ -68,21 +76,40 @@ def by_library(ire, side, rail, wheel, position, velocity, force, springs, track
     call("cntc_setwheelsetdimensions", ire, 3, 3, [1360.0, -70.0, 460.0])
     for kind, name in enumerate((str(rail), str(wheel))):
         call("cntc_setprofileinputfname", ire, name, len(name), 3, [kind, 0, 0], 2, [1.0, 0.0])
+
+
+def solve_at(ire, position, velocity):
+    """Forces of the patches, the most loaded first."""
     call("cntc_setwheelsetposition", ire, 2, 6, position)
     call("cntc_setverticalforce", ire, LOAD)
     call("cntc_setwheelsetvelocity", ire, 2, 6, velocity)
     error = addon.calculate(ire)
-    assert error == 0, (error, side, pathlib.Path("contact_addon.out").read_text())
+    assert error == 0, (error, ire, pathlib.Path("contact_addon.out").read_text())
     patches = addon.C.c_int()
     call("cntc_getnumcontactpatches", ire, addon.C.byref(patches))
     found = [addon.reals("cntc_getcontactforces", ire, icp, count=4) for icp in range(1, patches.value + 1)]
     return sorted(found, reverse=True)
 
 
-def by_program(work, side, rail, wheel, position, velocity, force, springs, track):
+def by_library(ire, side, rail, wheel, position, velocity, force, springs, track):
+    set_pair(ire, side, rail, wheel, force, springs, track)
+    return solve_at(ire, position, velocity)
+
+
+def input_of(side, rail, wheel, position, velocity, force, springs, track, tang=3):
+    return INPUT.format(C=side, T=tang, F=force, mu=MU, nu=NU, g=G, rail=rail.name, wheel=wheel.name, springs=row(springs),
+                        track=row(track), position=row(position), velocity=row(velocity))
+
+
+def by_program(work, *given):
+    """Forces of the patches at each position, the most loaded first."""
+    return run(work, input_of(*given))[1]
+
+
+def run(work, text):
+    """The same by the numbers of the positions, of an input."""
     source = work / "case.inp"
-    source.write_text(INPUT.format(C=side, F=force, mu=MU, nu=NU, g=G, rail=rail.name, wheel=wheel.name,
-                                   springs=row(springs), track=row(track), position=row(position), velocity=row(velocity)))
+    source.write_text(text + " 0 MODULE\n")
     made = work / "converted"
     for folder in (made, work / "run"):
         shutil.rmtree(folder, ignore_errors=True)
@@ -90,9 +117,13 @@ def by_program(work, side, rail, wheel, position, velocity, force, springs, trac
     for command in (convert, [addon.PROGRAM, "run", made / "case.toml", "-q", "-o", work / "run", "--no-report"]):
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stdout + done.stderr
-    models = json.loads((work / "run/summary.json").read_text())["models"]
-    points = [point for model in models for point in model["points"]]
-    return sorted(([p["normal_force"], -p["longitudinal_force"], p["lateral_force"], p["spin_moment"]] for p in points), reverse=True)
+    positions = {}
+    for model in json.loads((work / "run/summary.json").read_text())["models"]:
+        place = model["place"]["position"] if "place" in model else 1
+        for p in model["points"]:
+            positions.setdefault(p.get("step") or place, []).append(
+                [p["normal_force"], -p["longitudinal_force"], p["lateral_force"], p["spin_moment"]])
+    return {k: sorted(forces, reverse=True) for k, forces in positions.items()}
 
 
 def compare(work, what, rail, wheel, shift=0.0, force=0, last=-2000.0 / 460.0, springs=(), patches=1, place=0.0,
@@ -115,6 +146,39 @@ def compare(work, what, rail, wheel, shift=0.0, force=0, last=-2000.0 / 460.0, s
     for left, right in zip(found[0], found[1]):
         for k, mirror in enumerate((1.0, 1.0, -1.0, -1.0)):
             assert abs(left[k] - mirror * right[k]) < 2e-4 * LOAD * (1.0 if k < 3 else 10.0), (what, left, right)
+    return found[1]
+
+
+def history(work, what, rail, wheel, moves, force=0, springs=(), start=2, follow=2, cells=1, track=(14.0, 0.0, 1435.0, 0.025)):
+    """Steps that continue each other, both sides, mirrored, against the program's run of the same steps. `moves`: of each
+    step, shift, yaw and the last of the velocities; `cells`: rolled in a step; `start`, `follow`: digits T."""
+    found = {}
+    way = 0.5 * cells
+    speed = way if follow == 1 else 2000.0  # in a shift the wheel moves by VS
+    for side, sign in ((0, -1.0), (1, 1.0)):
+        ire = 71 + side
+        springs_here = [springs[0], sign * springs[1], *springs[2:]] if springs else ()
+        set_pair(ire, side, rail, wheel, force, springs_here, list(track))
+        call("cntc_setrollingstepsize", ire, -1, 0.0, float(cells))
+        text, found[side] = "", []
+        for k, (shift, yaw, last) in enumerate(moves):
+            position = [way * k if follow == 1 else 0.0, sign * shift, LOAD, 0.0, sign * yaw, 0.0]
+            velocity = [speed, 0.0, 0.0, 0.0, 0.0, last if force else last * speed]
+            digits = {TANG: start if k == 0 else follow, PVTIME: 2 if k == 0 else 0}
+            addon.flags(ire, -1, digits)
+            found[side].append(solve_at(ire, position, velocity))
+            text += (input_of(side, rail, wheel, position, velocity, force, springs_here, track, start) if k == 0 else
+                     STEP.format(C=side, T=follow, F=force, position=row(position), velocity=row(velocity)))
+        wanted = run(work, text.replace("0.5 0.5 1.0 90d", f"0.5 0.5 {cells} 90d"))
+        assert len(wanted) == len(moves), (what, side, list(wanted))
+        for k, ours in enumerate(found[side]):
+            assert len(ours) == len(wanted[k + 1]), (what, side, k, ours, wanted[k + 1])
+            for a, b in zip(sum((one[:3] for one in ours), []), sum((one[:3] for one in wanted[k + 1]), [])):
+                assert abs(a - b) < HISTORY * LOAD, (what, side, k, ours, wanted[k + 1])
+    for left, right in zip(found[0], found[1]):
+        for ours, theirs in zip(left, right):
+            for k, mirror in enumerate((1.0, 1.0, -1.0)):
+                assert abs(ours[k] - mirror * theirs[k]) < 2e-4 * LOAD, (what, left, right)
     return found[1]
 
 
@@ -142,6 +206,110 @@ def sums(what, ire, patches):
     assert math.isnan(addon.reals("cntc_getpenetration", ire, patches + 1)), (what, "a patch too many")
 
 
+def along(points, y):
+    """Length of the polyline from y = 0 to this y."""
+    total = 0.0
+    for (y0, z0), (y1, z1) in zip(points, points[1:]):
+        piece = [min(max(edge, y0), y1) for edge in sorted((0.0, y))]
+        if y1 > y0:
+            total += math.dist((y0, z0), (y1, z1)) * (piece[1] - piece[0]) / (y1 - y0)
+    return math.copysign(total, y)
+
+
+def height(points, y):
+    """z of a polyline, in either order of its points."""
+    for (y0, z0), (y1, z1) in zip(points, points[1:]):
+        if min(y0, y1) <= y <= max(y0, y1) and y0 != y1:
+            return z0 + (z1 - z0) * (y - y0) / (y1 - y0)
+    raise AssertionError(f"no point at {y}")
+
+
+def profile_values(ire, at, side, wheel, rail):
+    """Points, arc lengths and places of the profiles; `at`: where they touch."""
+    assert abs(at[7] - along(rail, side * at[5])) < 0.02, (at[7], at[5])
+    assert abs(at[12] + along(wheel, side * at[10])) < 0.02, (at[12], at[10])
+    assert at[17:19] == [0.0, 0.0], "no springs, no deflection"
+    for kind, given in ((0, rail), (1, wheel)):
+        order = -1.0 if kind else 1.0
+        asked = 2, [kind, 1], 4, [0.5, 0.0, 0.0, 0.0]
+        count = int(addon.array("cntc_getprofilevalues", ire, 0, *asked, length=1)[0])
+        both = addon.array("cntc_getprofilevalues", ire, 1, *asked, length=2 * count)
+        points = list(zip(both[:count], both[count:]))
+        arc, angle, placed = (addon.array("cntc_getprofilevalues", ire, task, *asked, length=n * count) for task, n in ((4, 1), (5, 1), (2, 2)))
+        assert abs(arc[count // 2 + 1] - arc[count // 2] - 0.5) < 1e-9 and all(b > a for a, b in zip(arc, arc[1:]))
+        for k in range(1, count - 1, 7):
+            if abs(points[k][0]) < 30.0:
+                assert abs(points[k][1] - height(given, points[k][0])) < 0.01, (kind, points[k])
+                assert abs(arc[k] - order * along(given, points[k][0])) < 0.02, (kind, points[k], arc[k])
+                slope = math.atan2(points[k + 1][1] - points[k - 1][1], points[k + 1][0] - points[k - 1][0])
+                assert abs(math.remainder(slope - angle[k], 2 * math.pi)) < 0.02, (kind, points[k], angle[k])
+        on_track = list(zip(placed[:count], placed[count:]))
+        assert abs(height(on_track, at[1]) - at[2]) < 0.15, ("where they touch", kind, at[1:3])
+    y, z, aside, down, face, deep = addon.array("cntc_getprofilevalues", ire, 3, 1, [0], 1, [1.0], length=6)
+    assert abs(side * y + aside - side * 717.5) < 0.005 and abs(deep + down - 14.0) < 1e-6 and z <= deep + 1e-6 and face >= y - 1e-6
+    assert abs(at[26] - down) < 1e-6 and abs(at[25] - aside) < 1e-6, "the rail's marker"
+    assert math.isnan(addon.array("cntc_getprofilevalues", ire, 3, 1, [1], 1, [1.0], length=6)[1]), "a wheel has no gauge point"
+    assert math.isnan(addon.array("cntc_getprofilevalues", ire, 8, 1, [0], 1, [1.0], length=6)[1]), "one section has no way"
+
+
+def located(rail_points, wheel_points):
+    """After `compare`, which has solved elements 61 and 62."""
+    for ire, side in ((61, -1.0), (62, 1.0)):
+        profile_values(ire, addon.array("cntc_getcontactlocation", ire, 1, length=38), side, wheel_points, rail_points)
+
+
+def deflected(stiffness, force):
+    """k d = F + F0 of the rail, to the right."""
+    for ire, side in ((61, -1.0), (62, 1.0)):
+        d = addon.array("cntc_getcontactlocation", ire, 1, length=38)[17]
+        on_rail = addon.array("cntc_getglobalforces", ire, -1, length=24)[1]
+        assert abs(stiffness * d - on_rail - side * force) < 2e-3 * LOAD, (ire, d, on_rail)
+
+
+def along_the_way(ire, kind, y, step, points, rise):
+    """A profile at one y, through its sections."""
+    asked = 8, 2, [kind, 1], 2, [step, y]
+    count = int(addon.array("cntc_getprofilevalues", ire, *asked, length=1)[0])
+    values = addon.array("cntc_getprofilevalues", ire, *asked, length=3 * count)
+    assert count > 3 and values[count:2 * count] == [y] * count
+    for x, z in zip(values[:count], values[2 * count:]):
+        assert abs(z - height(points, y) - rise * x * x) < 0.05, (x, z)
+
+
+def histories(work, rail, wheel):
+    free, count = -1.0 / 460.0, 5
+    moving = [(2.0 + 0.01 * k, 0.001 + 1e-4 * k, free * (1.0 + 1e-4 * k)) for k in range(count)]
+    steps = history(work, "T = 2 from rest", rail, wheel, moving)
+    started = history(work, "T = 2 after T = 3", rail, wheel, moving, start=3)
+    assert abs(steps[1][0][1] - started[1][0][1]) > 0.001 * LOAD, "the steady past has no effect"
+    history(work, "T = 1", rail, wheel, moving, start=1, follow=1)
+    history(work, "in half an element", rail, wheel, moving, cells=0.5)
+    # The same force in each step takes more and more creepage.
+    pulled = history(work, "F = 1", rail, wheel, [(2.0, 0.001, 5000.0)] * count, force=1)
+    for step in pulled:
+        assert abs(step[0][1] - 5000.0) < 10.0, pulled
+    history(work, "F = 3", rail, wheel, moving[:3], force=3, springs=(2e4, 1000.0, 1e5, 0.0))
+    history(work, "two patches", rail, wheel, [(6.2 + 1e-3 * k, 0.001, free) for k in range(3)], track=(14.0, 0.0, 1435.0, 0.05))
+    endless(work, rail, wheel)
+
+
+def endless(work, rail, wheel):
+    """Steady rolling stays steady in equal steps; what cannot be continued is refused and changes nothing."""
+    set_pair(73, 1, rail, wheel, 0, (), [14.0, 0.0, 1435.0, 0.025])
+    at = [0.0, 2.0, LOAD, 0.0, 0.001, 0.0], [2000.0, 0.0, 0.0, 0.0, 0.0, -2000.0 / 460.0]
+    call("cntc_setrollingstepsize", 73, -1, 0.0, 1.0)
+    steady = solve_at(73, *at)[0]
+    addon.flags(73, -1, {TANG: 2, PVTIME: 0})
+    for k in range(5):
+        last = solve_at(73, *at)[0]
+    for a, b in zip(last[:3], steady[:3]):
+        assert abs(a - b) < 2e-5 * LOAD, ("steady rolling does not stay steady", last, steady)
+    call("cntc_setmaterialparameters", 73, -1, 0, 4, [NU, NU, 0.5 * G, G])
+    assert addon.calculate(73) < 0, "other materials continue nothing"
+    call("cntc_setmaterialparameters", 73, -1, 0, 4, [NU, NU, G, G])
+    assert addon.calculate(73) == 0
+
+
 def main():
     wheel_points, rail_points = addon.profiles()
     with tempfile.TemporaryDirectory() as name:
@@ -151,6 +319,7 @@ def main():
         profile_file(rail, rail_points)
         profile_file(wheel, wheel_points)
         plain = compare(work, "plain", rail, wheel, 2.0)[0]
+        located(rail_points, wheel_points)
         # Forces: along on the rail, a torque about the axle, rails on springs.
         pulled = compare(work, "F = 1", rail, wheel, 2.0, force=1, last=5000.0)[0]
         assert abs(pulled[1] - 5000.0) < 50.0, pulled
@@ -158,14 +327,18 @@ def main():
         assert abs(turned[1] - pulled[1]) < 200.0, (turned, pulled)
         sprung = compare(work, "F = 3", rail, wheel, 2.0, force=3, springs=(2e4, 1000.0, 1e5, 0.0))[0]
         assert abs(sprung[2] - plain[2]) > 20.0, (sprung, plain)
+        deflected(2e4, 1000.0)
         # Without a gauge: a rail that rises along the way, a wheel with a flat.
         fixed = (-1.0, 753.0, 0.0, 0.025)
         slices(work / "dip.slcs", 5, 100.0, lambda at: [(y, z + 1e-5 * at * at) for y, z in rail_points], "U_OFFSET")
         risen = compare(work, "rail slices", work / "dip.slcs", wheel, 2.0, place=50.0, track=fixed)[0]
         assert abs(risen[0] - plain[0]) < 0.05 * LOAD
+        along_the_way(62, 0, 3.0, 50.0, rail_points, 1e-5)
         slices(work / "flat.slcw", 5, 0.1, lambda at: [(y, z + 0.1 * at * at) for y, z in wheel_points], "TH_OFFSET")
         compare(work, "wheel slices", rail, work / "flat.slcw", 2.0, track=fixed)
+        along_the_way(62, 1, 3.0, 0.05, wheel_points, 0.1)
         compare(work, "two patches", rail, wheel, 6.2, patches=2, track=(14.0, 0.0, 1435.0, 0.05))
+        histories(work, rail, wheel)
         print("plain, F = 1 to 3, slices, two patches: ok")
 
 

@@ -58,7 +58,7 @@ ROOMS = {
     "halfspace": ["closed_forms", "elasticity", "patch", "stress", "model", "curvature", ""],
     "fem": ["", "mesh", "discretisation", "linear", "trace", "stress", "plasticity", "elasticity"],
     "hybrid": ["", "correction"],
-    "track": ["placement", "search", "motion", "balance", "pair"],
+    "track": ["placement", "search", "motion", "balance", "history", "pair"],
     "case": ["", "keys", "checks", "reading"],
     "result": ["", "heat", "files", "hdf5", "write"],
     "modelling": ["program", "caches", "fem", "choice", "solving", "stress", "", "frame"],

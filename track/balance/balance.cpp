@@ -122,6 +122,7 @@ struct Balanced {
   std::vector<PlacedScene> here;
   std::vector<contact::Scene> patches;
   std::vector<contact::Note> notes;
+  RailVector rail_moved{};
 };
 
 }  // namespace
@@ -181,7 +182,7 @@ BalancedCase balance(const Case& input, const PlacedWheels& placed,
     for (const PlacedScene& scene : placed.scenes)
       if (scene.contact.place.position == position) at.here.push_back(scene);
     if (input.track.rail_stiffness) {
-      RailVector moved{};
+      RailVector& moved = at.rail_moved;
       WheelOnRail wheel = contact::at_place(where(input, position), [&] {
         return on_springs(case_at(input, k), placed.search, position, moved);
       });
@@ -195,6 +196,7 @@ BalancedCase balance(const Case& input, const PlacedWheels& placed,
       at.notes.push_back(std::move(note));
   });
   for (Balanced& at : positions) {
+    result.rail_moved = at.rail_moved;
     std::move(at.notes.begin(), at.notes.end(), std::back_inserter(result.notes));
     for (contact::Scene& patch : at.patches)
       if (asked_for(input, patch.place->left)) result.scenes.push_back(std::move(patch));

@@ -11,6 +11,7 @@
 #include "contact/solve/run_part.hpp"
 #include "result/result.hpp"
 #include "scene/scene.hpp"
+#include "track/balance/springs.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <string>
@@ -32,6 +33,7 @@ struct BalancedCase {
   std::vector<contact::Scene> scenes;
   std::vector<PlacedScene> placed;   ///< as placed, for drawings
   std::vector<contact::Note> notes;  ///< notes for the reader
+  RailVector rail_moved{};           ///< by its springs, at the last position
 };
 
 /// Throws as make_scenes.
