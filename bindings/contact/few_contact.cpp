@@ -101,22 +101,25 @@ void FewContact::roll(const Scene& scene, const contact::ChartedGeometry& geomet
   newton_.solve(*rolling_, grid_, problem, rolling_->grid_indices(), options,
                 {fields.traction.x, fields.traction.y});
   point_.creepage = creepage;
-  for (contact::Field* field : {&fields.traction.x, &fields.traction.y, &fields.slip.x,
-                                &fields.slip.y, &fields.traction_bound})
-    field->setZero(grid_.size());
-  fields.state.assign(static_cast<std::size_t>(grid_.size()), contact::ElementState::exterior);
-  const auto count = static_cast<Eigen::Index>(rolling_->grid_indices().size());
-  for (Eigen::Index e = 0; e < count; ++e) {
-    const Eigen::Index k = rolling_->grid_indices()[static_cast<std::size_t>(e)];
-    fields.traction.x[k] = newton_.traction()[e];
-    fields.traction.y[k] = newton_.traction()[count + e];
-    fields.slip.x[k] = newton_.slip()[e];
-    fields.slip.y[k] = newton_.slip()[count + e];
-    fields.traction_bound[k] = newton_.bound()[e];
-    fields.state[static_cast<std::size_t>(k)] = newton_.adheres()[static_cast<std::size_t>(e)]
-                                                    ? contact::ElementState::adhesion
-                                                    : contact::ElementState::slip;
-  }
+  const std::vector<Eigen::Index>& places = rolling_->grid_indices();
+  const auto count = static_cast<Eigen::Index>(places.size());
+  const auto on_grid = [&](const Eigen::VectorXd& both) {
+    const contact::Field none = contact::Field::Zero(grid_.size());
+    contact::TangentialField field{none, none};
+    for (Eigen::Index e = 0; e < count; ++e) {
+      field.x[places[static_cast<std::size_t>(e)]] = both[e];
+      field.y[places[static_cast<std::size_t>(e)]] = both[count + e];
+    }
+    return field;
+  };
+  contact::TangentialSolution solution;
+  solution.traction = on_grid(newton_.traction());
+  fields.slip = on_grid(newton_.slip());
+  contact::set_states(newton_, places, problem.friction, grid_, solution);
+  fields.traction.x = std::move(solution.traction.x);
+  fields.traction.y = std::move(solution.traction.y);
+  fields.traction_bound = std::move(solution.bound);
+  fields.state = std::move(solution.state);
   contact::integrate_tractions(grid_, point_);
 }
 

@@ -75,6 +75,8 @@ struct Patch {
   double along = 1.0, across = 1.0;
   bool turns_columns = false, turns_rows = false;
   std::map<int, BlockStresses> stresses{};
+  /// Along the surface, found when a client asks for it where the solution has none.
+  mutable std::optional<contact::SurfaceField> displacement{};
 
   /// Index of ours of element (i, j) of CONTACT's, both from 0.
   int index(int i, int j) const {
