@@ -318,7 +318,7 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
     patch.nx = patch.grid.nx;
     patch.ny = patch.grid.ny;
     add_slip(extra, patch, *scene);
-    if (!few_) few_ = std::make_shared<FewContact>();
+    if (!few_) few_ = std::make_shared<halfspace::FewContact>();
     if (auto point = few_->solve(*scene, patch.grid)) {
       patch.point = std::move(*point);
       return patch;

@@ -3,11 +3,11 @@
 // call can use is kept: the case, the placed profiles, influence coefficients, the last solution.
 #pragma once
 
-#include "bindings/contact/few_contact.hpp"
 #include "case/case.hpp"
 #include "case/reading/case_reader.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
+#include "halfspace/model/few_contact.hpp"
 #include "track/balance/balance.hpp"
 #include "track/history/wheel_history.hpp"
 
@@ -145,7 +145,7 @@ class Solver {
   std::optional<contact::History> history_;     ///< of its steps
   std::shared_ptr<track::WheelHistory> wheel_;  ///< of the steps of module 1; null: none
   double rotation_ = 0.0;                       ///< of the wheel (Wheelset::rotation_change)
-  std::shared_ptr<FewContact> few_;             ///< null: not yet needed
+  std::shared_ptr<halfspace::FewContact> few_;  ///< null: not yet needed
 };
 
 }  // namespace rollfem::addon

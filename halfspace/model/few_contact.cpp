@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bindings/contact/few_contact.hpp"
+#include "halfspace/model/few_contact.hpp"
 
 #include "base/errors.hpp"
 #include "contact/solve/point_motion.hpp"
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace rollfem::addon {
+namespace rollfem::halfspace {
 
 using contact::Scene;
 
@@ -35,9 +35,8 @@ bool same(const contact::CombinedMaterial& a, const contact::CombinedMaterial& b
 
 std::optional<contact::PointResult> FewContact::solve(const Scene& scene,
                                                       const contact::ContactGrid& grid) {
-  if (!is_simple(scene) || grid.size() > most_elements || grid.nx > halfspace::most_columns)
-    return {};
-  const contact::ChartedGeometry geometry = halfspace::halfspace_geometry(scene);
+  if (!is_simple(scene) || grid.size() > most_elements || grid.nx > most_columns) return {};
+  const contact::ChartedGeometry geometry = halfspace_geometry(scene);
   if (geometry.curved()) return {};
   const contact::Field distance = geometry.undeformed_distance(grid);
   const bool known = distance_.size() == distance.size() && distance_ == distance &&
@@ -59,13 +58,13 @@ bool FewContact::press(const Scene& scene, const contact::ContactGrid& grid,
   const double ratio = grid.dy / grid.dx;
   if (table_.nx != grid.nx || table_.ny != grid.ny || table_.ratio != ratio ||
       !same(material_, scene.material))
-    table_ = halfspace::influence_table(grid.nx, grid.ny, ratio, scene.material);
+    table_ = influence_table(grid.nx, grid.ny, ratio, scene.material);
   if (!rolling_ || grid_.nx != grid.nx || grid_.ny != grid.ny)
     rolling_.emplace(grid.nx, grid.ny, grid.size());
   grid_ = grid;
   material_ = scene.material;
   load_ = scene.points.front().load;
-  halfspace::FewElementsNormal compliance(material_);
+  FewElementsNormal compliance(material_);
   const std::vector<double> carried(static_cast<std::size_t>(grid.ny), 1.0);
   compliance.set({{&table_, grid, carried.data()}});
   contact::NormalOptions options;
@@ -123,4 +122,4 @@ void FewContact::roll(const Scene& scene, const contact::ChartedGeometry& geomet
   contact::integrate_tractions(grid_, point_);
 }
 
-}  // namespace rollfem::addon
+}  // namespace rollfem::halfspace
