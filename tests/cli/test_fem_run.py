@@ -36,7 +36,7 @@ def skew(solver):
     """Case b on a coarse mesh with lateral creepage, so that whole bodies are modelled."""
     return {"models": ["fem"]} | SMALL | {
         "rail.transverse_radius": 500.0, "rolling.longitudinal_creepage": 0.001, "rolling.lateral_creepage": 0.0005,
-        "fem.cell_size": 1.8, "fem.extent": 20, "fem.linear_solver": solver}
+        "fem.cell_size": 2.4, "fem.extent": 26, "fem.linear_solver": solver}
 
 
 def same_numbers(one, other, tolerance):
@@ -111,7 +111,7 @@ def test_an_error_of_the_contact_problem_ends_all_processes_with_one_message(rol
 def test_the_bits_are_the_same_for_any_number_of_threads(rollfem, model, more):
     file = rollfem.case(SMALL | {"rolling.longitudinal_creepage": [0.0, 0.001], "fem.cell_size": 1.8,
                                  "fem.extent": 26, "output.stress_maxima": True} | more)
-    for threads in "1", "2", "16":
+    for threads in "1", "16":
         rollfem.done("run", file, "-m", model, "--no-report", "--threads", threads, "-o", f"on{threads}")
         if threads != "1":
             same_results(rollfem.work / "on1", rollfem.work / f"on{threads}")
