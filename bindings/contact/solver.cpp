@@ -305,20 +305,19 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
   patch.scene = scene;
   if (convert::rolls_backwards(given)) patch.along = patch.across = -1.0;
   patch.turns_columns = patch.turns_rows = patch.along < 0.0;
+  const auto& [dx, dy] = *scene->contact_grid.cell_size;
+  patch.grid = halfspace::PatchSearch(*scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
+  patch.nx = patch.grid.nx;
+  patch.ny = patch.grid.ny;
+  add_slip(extra, patch, *scene);
   contact::ModelResult result;
   if (convert::is_simplified(given.digits)) {
-    if (!extra[0].empty()) throw Refusal(err_other, "extra rigid slip of elements in FASTSIM");
     result = theories::models().at(made.model).run(*scene, {}, nullptr);
     patch.grid = result.grid;
     patch.nx = patch.grid.nx;
     patch.ny = patch.grid.ny;
   } else {
     if (scene->is_history()) scene->past = std::make_shared<contact::StepPast>();
-    const auto& [dx, dy] = *scene->contact_grid.cell_size;
-    patch.grid = halfspace::PatchSearch(*scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
-    patch.nx = patch.grid.nx;
-    patch.ny = patch.grid.ny;
-    add_slip(extra, patch, *scene);
     if (!few_) few_ = std::make_shared<halfspace::FewContact>();
     if (auto point = few_->solve(*scene, patch.grid)) {
       patch.point = std::move(*point);

@@ -336,6 +336,13 @@ def endless(work, rail, wheel):
         last = solve_at(73, *at)[0]
     for a, b in zip(last[:3], steady[:3]):
         assert abs(a - b) < 2e-5 * LOAD, ("steady rolling does not stay steady", last, steady)
+    # The same by the height to which the load has led.
+    position = addon.array("cntc_getwheelsetposition", 73, length=6)
+    addon.flags(73, -1, {NORM: 0})
+    call("cntc_setwheelsetposition", 73, 2, 6, position)
+    assert addon.calculate(73) == 0
+    for a, b in zip(addon.reals("cntc_getcontactforces", 73, 1, count=4)[:3], steady):
+        assert abs(a - b) < 2e-3 * LOAD, ("by the height", a, b)
     call("cntc_setmaterialparameters", 73, -1, 0, 4, [NU, NU, 0.5 * G, G])
     assert addon.calculate(73) < 0, "other materials continue nothing"
     call("cntc_setmaterialparameters", 73, -1, 0, 4, [NU, NU, G, G])
