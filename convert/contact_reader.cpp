@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "convert/input_lines.hpp"
+#include "convert/parameters.hpp"
 #include "convert/stress_block.hpp"
 #include <algorithm>
 #include <initializer_list>
@@ -64,37 +65,20 @@ void read_solver(InputLines& lines, ContactCase& next) {
 }
 
 void read_friction(InputLines& lines, ContactCase& next, int sets) {
-  static const std::vector<std::string> by_speed{"FKIN", "F1", "SABSH1", "F2", "SABSH2"};
-  static const std::map<int, std::vector<std::string>> laws{
-      {0, {"FSTAT", "FKIN"}},
-      {2, by_speed},
-      {3, by_speed},
-      {4, by_speed},
-      {6, {"FREF", "TREF", "DFHEAT", "DTHEAT"}}};
   const int L = next.digits.L;
-  const auto law = laws.find(L);
-  if (law == laws.end())
+  const Names* const law = friction_names(L);
+  if (law == nullptr)
     lines.fail(fmt::format("digit L = {}; allowed: 0 to 4 and 6", L),
                "check for a missing line above it");
-  std::vector<std::string> names = law->second;
+  Names names = *law;
   next.friction_over = next.digits.V;
   next.friction.clear();
   const bool placed = next.module == 1 && next.digits.V > 0;
   if (placed) names.insert(names.begin(), next.digits.V == 1 ? "ALPHVF" : "SVF");
   for (int set = 0; set < sets; ++set) {
     const auto values = lines.numbers(names);
-    FrictionSet& read = next.friction.emplace_back();
+    FrictionSet& read = next.friction.emplace_back(friction_set(L, &values[placed ? 1 : 0]));
     if (placed) read.place = values.front();
-    if (L == 0) read.fstat = values[values.size() - 2], read.fkin = values.back();
-    if (L >= 2 && L <= 4) {
-      std::copy(values.end() - 4, values.end(), read.fall.begin());
-      read.fkin = values[values.size() - 5];
-      read.fstat = read.fkin + read.fall[0] + read.fall[2];
-    }
-    if (L == 6) {
-      read.fstat = values[values.size() - 4];
-      std::copy(values.end() - 3, values.end(), read.fall.begin());
-    }
   }
   if (L >= 2) lines.read(next.memory, {"MEMDST", "MEM_S0"});
   next.friction_law = L;
@@ -130,21 +114,12 @@ void read_heat(InputLines& lines, ContactCase& next) {
 }
 
 void read_potential_contact(InputLines& lines, ContactCase& next) {
-  // Numbers after MX, MY.
-  static const std::map<int, std::vector<std::string>> sizes{
-      {-6, {"AA", "BNEG", "BPOS", "SCALE"}}, {-5, {"AA", "BB", "SCALE"}},
-      {-4, {"A1", "BB", "SCALE"}},           {-3, {"AA", "BB", "SCALE"}},
-      {-2, {"A1", "AOB", "SCALE"}},          {-1, {"A1", "B1", "SCALE"}},
-      {1, {"XL", "YL", "DX", "DY"}},         {2, {"XL", "YL", "XH", "YH"}},
-      {3, {"XC1", "YC1", "DX", "DY"}},       {4, {"XC1", "YC1", "XCM", "YCM"}}};
   PotentialContact& area = next.potential;
   area.ipotcn = lines.integer("IPOTCN", -6, 4);
-  const auto size = sizes.find(area.ipotcn);
-  if (size == sizes.end())
+  const Names* const names = area_names(area.ipotcn);
+  if (names == nullptr)
     lines.fail("IPOTCN = 0; allowed: -6 to -1, 1 to 4", "look at the line above");
-  std::vector<std::string> names{"MX", "MY"};
-  names.insert(names.end(), size->second.begin(), size->second.end());
-  const auto values = lines.numbers(names);
+  const auto values = lines.numbers(*names);
   area.mx = lines.integer(values[0], "MX", 1, largest_grid);
   area.my = lines.integer(values[1], "MY", 1, largest_grid);
   if (static_cast<double>(area.mx) * area.my > largest_area)

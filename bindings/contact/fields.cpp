@@ -35,10 +35,13 @@ contact::TangentialField rigid_slip(const Patch& patch) {
   return halfspace::halfspace_geometry(*patch.scene).rigid_slip(patch.point.creepage, patch.grid);
 }
 
-contact::SurfaceField displacement_of(const Patch& patch) {
+const contact::SurfaceField& displacement_of(const Patch& patch) {
   const auto& fields = patch.point.fields;
   if (fields.traction.x.size() == 0 || fields.displacement.x.size() > 0) return fields.displacement;
-  return halfspace::Halfspaces(patch.scene->material, patch.grid).like->apply(fields.traction);
+  if (!patch.displacement)
+    patch.displacement =
+        halfspace::Halfspaces(patch.scene->material, patch.grid).like->apply(fields.traction);
+  return *patch.displacement;
 }
 
 /// Where the bodies slide: where the layer between them yields they do not.

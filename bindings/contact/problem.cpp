@@ -122,11 +122,14 @@ Eigen::Matrix4d sensitivities_of(Problem moved, const Patch& patch, bool of_fric
   if (given.friction.empty()) return found;
   given.digits.N = given.digits.F = 0;
   const double fstat = given.friction.front().fstat;
-  const std::array<double, 4> middle{at.approach, turned * at.creepage.longitudinal,
-                                     turned * at.creepage.lateral, at.creepage.spin};
-  // Of the creepages a fraction of those at which the patch slides.
+  const bool shift = given.digits.T == 1;
+  const std::array<double, 4> middle{
+      at.approach, turned * (shift ? at.longitudinal_shift : at.creepage.longitudinal),
+      turned * (shift ? at.lateral_shift : at.creepage.lateral),
+      shift ? at.spin_shift : at.creepage.spin};
+  // Of the creepages, or shifts, a fraction of those at which the patch slides.
   const double c = std::sqrt(std::max(at.semi_axis_x * at.semi_axis_y, 1e-12));
-  const double slide = fstat * at.approach / c;
+  const double slide = fstat * at.approach / (shift ? 1.0 : c);
   const std::array<double, 4> step{1e-3 * at.approach, 1e-3 * slide, 1e-3 * slide,
                                    1e-3 * slide / c};
   for (int k = 0; k < (of_friction ? 4 : 1); ++k)
@@ -135,8 +138,7 @@ Eigen::Matrix4d sensitivities_of(Problem moved, const Patch& patch, bool of_fric
       values[static_cast<std::size_t>(k)] += side * step[static_cast<std::size_t>(k)];
       moved.penetration = values[0];
       moved.creepage = {values[1], values[2], values[3]};
-      Solver solver = moved.solver;  // a step leaves nothing to the next difference
-      const auto patches = solver.solve(moved.whole(), moved.profile_text, moved.extra_slip);
+      const auto patches = moved.solver.solve(moved.whole(), moved.profile_text, moved.extra_slip);
       found.col(k) +=
           0.5 * side / step[static_cast<std::size_t>(k)] * outputs(patches.front(), fstat);
     }
@@ -153,7 +155,9 @@ int calculate(Problem& problem) {
   const ContactCase given = problem.whole();
   check(given);
   if (given.digits.R >= 2) return 0;
-  const int sens = problem.flags[ic_sens];
+  const convert::Digits& digits = given.digits;
+  const bool continues = digits.P == 0 && (digits.T == 1 || digits.T == 2);
+  const int sens = continues ? 0 : problem.flags[ic_sens];
   std::optional<Problem> before;
   if (sens >= 2 && given.module == 3) before = problem;
   problem.patches = problem.solver.solve(given, problem.profile_text, problem.extra_slip);

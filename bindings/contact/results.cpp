@@ -85,7 +85,8 @@ double largest_traction(const Problem& problem, const Patch& patch) {
 
 /// In the client's units.
 double sensitivity(const Problem& problem, int output, int input) {
-  const int power = (output == 3 ? 1 : 0) - (input == 0 ? 1 : input == 3 ? -1 : 0);
+  const int shift = problem.given.digits.T == 1 ? 1 : 0;
+  const int power = (output == 3 ? 1 : 0) - (input == 0 ? 1 : input == 3 ? shift - 1 : shift);
   return (output > 0 ? problem.units.body : 1.0) *
          problem.units.out(problem.sensitivities(output, input), power);
 }

@@ -28,15 +28,8 @@ void set_values(const char* function, Int ire, Int icp, Int kind, Int count, Rea
                 void (*work)(int, const Values&, Problem&)) {
   guarded(function, {ire, icp, kind, count}, [&] {
     const Values given = finite_values(values, *count);
-    for_problems(*ire, *icp, [&](Problem& problem) { work(*kind, given, problem); });
-  });
-}
-
-void set_pair_values(const char* function, Int ire, Int kind, Int count, Real values,
-                     void (*work)(int, const Values&, Problem&)) {
-  guarded(function, {ire, kind, count}, [&] {
-    const Values given = finite_values(values, *count);
-    for_pair(*ire, [&](Problem& problem) { work(*kind, given, problem); });
+    const auto set = [&](Problem& problem) { work(*kind, given, problem); };
+    *icp == of_pair ? for_pair(*ire, set) : for_problems(*ire, *icp, set);
   });
 }
 

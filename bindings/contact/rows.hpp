@@ -12,12 +12,10 @@ namespace rollfem::addon {
 
 using Values = std::vector<double>;
 
-/// A setting by finite values.
+/// A setting by finite values. `icp` of a setting of wheel and rail: of_pair.
+inline constexpr int of_pair = -1'000'000;
 void set_values(const char* function, Int ire, Int icp, Int kind, Int count, Real values,
                 void (*work)(int kind, const Values& values, Problem& problem));
-/// The same of wheel and rail.
-void set_pair_values(const char* function, Int ire, Int kind, Int count, Real values,
-                     void (*work)(int kind, const Values& values, Problem& problem));
 void set_numbers(const char* function, Int ire, Int icp,
                  std::initializer_list<const double*> numbers,
                  void (*work)(const Values& numbers, Problem& problem));
@@ -45,9 +43,9 @@ Values taken(const Units& units, Values values, const std::vector<int>& powers);
   void function(Int ire, Int icp, Int kind, Int count, Real values) { \
     set_values(#function, ire, icp, kind, count, values, work);       \
   }
-#define ADDON_PAIR_VALUES(function, work)                       \
-  void function(Int ire, Int kind, Int count, Real values) {    \
-    set_pair_values(#function, ire, kind, count, values, work); \
+#define ADDON_PAIR_VALUES(function, work)                            \
+  void function(Int ire, Int kind, Int count, Real values) {         \
+    set_values(#function, ire, &of_pair, kind, count, values, work); \
   }
 #define ADDON_NUMBER(function, ...)                                                          \
   void function(Int ire, Int icp, Real a) {                                                  \

@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "convert/parameters.hpp"
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 
 namespace rollfem::addon {
 
@@ -21,6 +23,25 @@ const Powers& powers_for(const std::map<int, Powers>& all, int method, int code,
   const auto found = all.find(method);
   if (found == all.end()) throw Refusal(code, fmt::format("there is no {} {}", what, method));
   return found->second;
+}
+
+const convert::Names& names_or_refusal(const convert::Names* names, int code, const char* what,
+                                       int digit) {
+  if (names == nullptr) throw Refusal(code, fmt::format("there is no {} {}", what, digit));
+  return *names;
+}
+
+/// Of numbers by their names; those that are not here have none.
+Powers powers_of(const convert::Names& names) {
+  static const std::map<std::string, int> known{
+      {"SABSH1", 1}, {"SABSH2", 1}, {"MEMDST", 1}, {"MEM_S0", 1}, {"POLACH_B", -1}, {"A1", -1},
+      {"B1", -1},    {"AA", 1},     {"BB", 1},     {"BNEG", 1},   {"BPOS", 1},      {"XL", 1},
+      {"YL", 1},     {"DX", 1},     {"DY", 1},     {"XH", 1},     {"YH", 1},        {"XC1", 1},
+      {"YC1", 1},    {"XCM", 1},    {"YCM", 1}};
+  Powers powers;
+  for (const std::string& name : names)
+    powers.push_back(known.count(name) > 0 ? known.at(name) : 0);
+  return powers;
 }
 
 /// Numbers of elements, from reals.
@@ -97,16 +118,17 @@ void set_heat(int method, const Values& given, Problem& problem) {
   for (std::size_t k = 0; k < 8; ++k) problem.given.bodies.heat[k / 4][k % 4] = v[k];
 }
 
-/// Numbers of a law by digit L: FSTAT, FKIN; FKIN, F1, SABSH1, F2, SABSH2, MEMDST, MEM_S0; FSTAT,
-/// POLACH_A, POLACH_B; FREF, TREF, DFHEAT, DTHEAT, MEMDST, MEM_S0.
-const Powers falling{0, 0, 1, 0, 1, 1, 1};
-const std::map<int, Powers> friction_powers{{0, {0, 0}},  {2, falling},    {3, falling},
-                                            {4, falling}, {5, {0, 0, -1}}, {6, {0, 0, 0, 0, 1, 1}}};
+/// Numbers of a law by digit L: as in an input file, MEMDST and MEM_S0 with each set, and FSTAT,
+/// POLACH_A, POLACH_B of L = 5.
+convert::Names names_of_law(int law) {
+  if (law == 5) return {"FSTAT", "POLACH_A", "POLACH_B"};
+  convert::Names names = names_or_refusal(convert::friction_names(law), err_frclaw, "law L =", law);
+  if (law > 0) names.insert(names.end(), {"MEMDST", "MEM_S0"});
+  return names;
+}
 
 convert::FrictionSet friction_set(int law, const Values& v) {
-  if (law == 0) return {0.0, v[0], v[1], {}};
-  if (law == 6) return {0.0, v[0], 0.0, {v[1], v[2], v[3], 0.0}};
-  if (law != 5) return {0.0, v[0] + v[1] + v[3], v[0], {v[1], v[2], v[3], v[4]}};
+  if (law != 5) return convert::friction_set(law, v.data());
   // Polach's law is the exponential one in other numbers.
   if (!(v[2] > 0.0)) throw Refusal(err_frclaw, "POLACH_B must be positive");
   return {0.0, v[0], v[0] * v[1], {v[0] * (1.0 - v[1]), std::log(2.0) / v[2], 0.0, 0.0}};
@@ -117,7 +139,7 @@ void set_friction(int method, const Values& given, Problem& problem) {
   const int varies = method / 10, law = method % 10;
   if (method < 0 || varies > 2) throw Refusal(err_frclaw, "unknown friction law");
   if (law == 1) return;  // as before
-  Powers powers = powers_for(friction_powers, law, err_frclaw, "friction law L =");
+  Powers powers = powers_of(names_of_law(law));
   const std::size_t first = varies > 0 ? 1 : 0, sets = varies > 0 && !given.empty() ? given[0] : 1;
   if (varies > 0) powers.insert(powers.begin(), varies == 2 ? 1 : 0);
   if (sets < 1 || sets > 10000 || given.size() < first + sets * powers.size())
@@ -139,21 +161,10 @@ void set_friction(int method, const Values& given, Problem& problem) {
   made.friction_over = made.digits.V = varies;
 }
 
-/// Numbers behind MX, MY, by IPOTCN.
 void set_area(int kind, const Values& given, Problem& problem) {
-  static const Powers places{0, 0, 1, 1, 1, 1};
-  static const std::map<int, Powers> powers{{-6, {0, 0, 1, 1, 1, 0}},
-                                            {-5, {0, 0, 1, 1, 0}},
-                                            {-4, {0, 0, -1, 1, 0}},
-                                            {-3, {0, 0, 1, 1, 0}},
-                                            {-2, {0, 0, -1, 0, 0}},
-                                            {-1, {0, 0, -1, -1, 0}},
-                                            {1, places},
-                                            {2, places},
-                                            {3, places},
-                                            {4, places}};
   const Values v =
-      taken(problem.units, given, powers_for(powers, kind, err_discr, "potential contact area"));
+      taken(problem.units, given,
+            powers_of(names_or_refusal(convert::area_names(kind), err_discr, "IPOTCN =", kind)));
   convert::PotentialContact area{kind, elements(v[0]), elements(v[1]), {}};
   if (static_cast<double>(area.mx) * area.my > 4e6) throw Refusal(err_discr, "MX MY: too many");
   std::copy(v.begin() + 2, v.end(), area.size.begin());

@@ -147,14 +147,15 @@ void refuse_impossible(const Equivalent& made) {
 }  // namespace
 
 /// What a step continues, as the first step of its history if it is not a step itself; nothing for
-/// a case that begins, as one without a case before it does.
+/// a case that begins, as one without a case before it does. Load and motion, and in module 3 all
+/// but the grid, may differ.
 std::optional<Equivalent> Solver::start_of(const convert::ContactCase& given, Equivalent& made) {
   if (!made.continues || !before_) return {};
   if (given.module == 1 && given.digits.T == 1) convert::set_way(before_->place, made);
   refuse_impossible(made);
   std::optional<Equivalent> start =
       before_->history() ? before_ : convert::steady_start(*before_, made);
-  if (start && convert::follows(*start, start->varied, made)) return start;
+  if (start && (given.module == 3 || start->fixed == made.fixed)) return start;
   throw Refusal(err_other,
                 "digit P = 0: the case continues another one but differs from it in more than "
                 "load, creepages and forces");
@@ -195,7 +196,7 @@ void Solver::set_case(Equivalent made, const ProfileTexts& texts, const Equivale
   const contact::NamedValues before = std::exchange(values_, {});  // none if one is refused
   contact::NamedValues values;
   if (history && (pair || start != nullptr)) {
-    const Equivalent& first = start != nullptr ? *start : made;
+    const Equivalent& first = pair ? made : *start;
     const contact::Case rows =
         convert::case_of(first, convert::values_of(first, {first.varied, made.varied}), "contact");
     input_ = pair ? step_of(rows, made.starts_steady ? 0 : 1) : rows;
@@ -304,21 +305,20 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
   patch.scene = scene;
   if (convert::rolls_backwards(given)) patch.along = patch.across = -1.0;
   patch.turns_columns = patch.turns_rows = patch.along < 0.0;
+  const auto& [dx, dy] = *scene->contact_grid.cell_size;
+  patch.grid = halfspace::PatchSearch(*scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
+  patch.nx = patch.grid.nx;
+  patch.ny = patch.grid.ny;
+  add_slip(extra, patch, *scene);
   contact::ModelResult result;
   if (convert::is_simplified(given.digits)) {
-    if (!extra[0].empty()) throw Refusal(err_other, "extra rigid slip of elements in FASTSIM");
     result = theories::models().at(made.model).run(*scene, {}, nullptr);
     patch.grid = result.grid;
     patch.nx = patch.grid.nx;
     patch.ny = patch.grid.ny;
   } else {
     if (scene->is_history()) scene->past = std::make_shared<contact::StepPast>();
-    const auto& [dx, dy] = *scene->contact_grid.cell_size;
-    patch.grid = halfspace::PatchSearch(*scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
-    patch.nx = patch.grid.nx;
-    patch.ny = patch.grid.ny;
-    add_slip(extra, patch, *scene);
-    if (!few_) few_ = std::make_shared<FewContact>();
+    if (!few_) few_ = std::make_shared<halfspace::FewContact>();
     if (auto point = few_->solve(*scene, patch.grid)) {
       patch.point = std::move(*point);
       return patch;

@@ -3,11 +3,11 @@
 // call can use is kept: the case, the placed profiles, influence coefficients, the last solution.
 #pragma once
 
-#include "bindings/contact/few_contact.hpp"
 #include "case/case.hpp"
 #include "case/reading/case_reader.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
+#include "halfspace/model/few_contact.hpp"
 #include "track/balance/balance.hpp"
 #include "track/history/wheel_history.hpp"
 
@@ -75,6 +75,8 @@ struct Patch {
   double along = 1.0, across = 1.0;
   bool turns_columns = false, turns_rows = false;
   std::map<int, BlockStresses> stresses{};
+  /// Along the surface, found when a client asks for it where the solution has none.
+  mutable std::optional<contact::SurfaceField> displacement{};
 
   /// Index of ours of element (i, j) of CONTACT's, both from 0.
   int index(int i, int j) const {
@@ -143,7 +145,7 @@ class Solver {
   std::optional<contact::History> history_;     ///< of its steps
   std::shared_ptr<track::WheelHistory> wheel_;  ///< of the steps of module 1; null: none
   double rotation_ = 0.0;                       ///< of the wheel (Wheelset::rotation_change)
-  std::shared_ptr<FewContact> few_;             ///< null: not yet needed
+  std::shared_ptr<halfspace::FewContact> few_;  ///< null: not yet needed
 };
 
 }  // namespace rollfem::addon

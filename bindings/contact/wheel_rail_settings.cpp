@@ -177,9 +177,8 @@ ADDON_PAIR_VALUES(cntc_setwheelsetflexibility, set_flexibility)
 
 void cntc_setverticalforce(Int ire, Real fz) {
   constexpr int one = 1;
-  set_pair_values(
-      "cntc_setverticalforce", ire, &one, &one, fz,
-      [](int, const Values& v, Problem& p) { p.normal_force = v[0], p.given.digits.N = 1; });
+  set_values("cntc_setverticalforce", ire, &of_pair, &one, &one, fz,
+             [](int, const Values& v, Problem& p) { p.normal_force = v[0], p.given.digits.N = 1; });
 }
 
 void cntc_setprofileinputfname(Int ire, const char* fname, Int len_fname, Int nints, Int iparam,

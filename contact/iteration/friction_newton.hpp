@@ -124,4 +124,9 @@ class FrictionNewton {
   Index most_changed_element_ = 0;      ///< element whose bound changed most in the last round
 };
 
+/// Bounds and states of the elements that a solver has solved, and what their particles carry on.
+/// `places`: their indices on the grid of result.traction.
+void set_states(const FrictionNewton& newton, const std::vector<Eigen::Index>& places,
+                const Friction& law, const ContactGrid& grid, TangentialSolution& result);
+
 }  // namespace rollfem::contact

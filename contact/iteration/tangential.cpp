@@ -177,7 +177,8 @@ void GridElements::add_across(const Given& p, Vector result) const {
   });
 }
 
-/// Bounds and states of the elements, and what their particles carry on.
+}  // namespace
+
 void set_states(const FrictionNewton& newton, const std::vector<Index>& places, const Friction& law,
                 const ContactGrid& grid, TangentialSolution& result) {
   const Index size = result.traction.x.size();
@@ -197,8 +198,6 @@ void set_states(const FrictionNewton& newton, const std::vector<Index>& places, 
     if (friction.hardens()) result.plastic[k] = friction.plastic(e);
   }
 }
-
-}  // namespace
 
 TangentialSolution solve_tangential(const TangentialOperator& compliance,
                                     const TangentialProblem& problem,

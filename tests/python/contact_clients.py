@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """contact_clients.py ROOT LIBRARY CLIENT: runs a client of CONTACT's library on rollfem's and compares with the output
 of CONTACT that lies beside it. CLIENT: test_caddon or test_mbench (Fortran), python_mbench or python_tractcurv (Python), or
-inputs: CONTACT's own inputs, read whole.
+inputs: CONTACT's own inputs, read whole; steps: those of wheels in time, step by step.
 
 The clients are not in the repository: they lie in the folder contact_library of $ROLLFEM_REFERENCE, or of
 ../shared/reference beside the repository; without them, or without gfortran for those in Fortran, status 77."""
@@ -164,10 +164,52 @@ def inputs(work):
     return worst, {name: 1.0 for name in worst}
 
 
+# CONTACT's steps of wheels in time, with the largest difference of FX and FY from its output over FN.
+STEPS = {"m1_catt_shift": 0.016, "m1_trans_roll": 0.0015, "m1_totforce": 0.0015}
+
+
+def steps(work):
+    """The first case from a file, the others by their positions, velocities and P = 0."""
+    library = ctypes.CDLL(str(LIBRARY))
+    whole, real = (lambda v: ctypes.byref(ctypes.c_int(v))), ctypes.c_double
+    many = lambda line: (real * 6)(*[float(word) for word in line.split()[:6]])
+    (work / "inputs").mkdir()
+    shutil.copytree(REFERENCE / "contact_testbank/profiles", work / "profiles")
+    worst = {}
+    for number, name in enumerate(STEPS, 1):
+        text = (REFERENCE / f"contact_testbank/{name}.inp").read_text()
+        head, first, *later = text.split("  1 MODULE\n")
+        file = work / f"inputs/{name}.inp"
+        file.write_text(f"{head}  1 MODULE\n{first}\n 0 MODULE\n")
+        error, wanted = ctypes.c_int(-1), []
+        out = (REFERENCE / f"contact_testbank/{name}.ref_out").read_text(errors="replace")
+        for row in re.findall(r"ELAST.EN.   FRIC.POWER.*\n(.*)\n", out):
+            wanted.append([float(word) for word in row.split()[:3]])
+        library.cntc_initialize(whole(number), whole(1), whole(0), ctypes.byref(error), b" ", whole(1))
+        library.cntc_readinpfile(whole(number), whole(1988), str(file).encode(), whole(len(str(file))), ctypes.byref(error))
+        assert error.value == 0 and len(wanted) == 1 + len(later), (name, error.value, len(wanted))
+        off = 0.0
+        for k, theirs in enumerate(wanted):
+            if k > 0:
+                position, velocity = [row for row in later[k - 1].splitlines() if row.strip() and row[0] != "%"][3:5]
+                library.cntc_setflags(whole(number), whole(-1), whole(1), whole(1970), whole(0))
+                library.cntc_setwheelsetposition(whole(number), whole(2), whole(6), many(position))
+                if name == "m1_totforce":
+                    library.cntc_setverticalforce(whole(number), ctypes.byref(real(many(position)[2])))
+                library.cntc_setwheelsetvelocity(whole(number), whole(2), whole(6), many(velocity))
+            library.cntc_calculate(whole(number), whole(-1), ctypes.byref(error))
+            assert error.value == 0, (name, k, error.value)
+            forces = [real() for _ in range(4)]
+            library.cntc_getcontactforces(whole(number), whole(1), *[ctypes.byref(value) for value in forces])
+            off = max(off, *(abs(a.value - b) / theirs[0] for a, b in zip(forces[:3], theirs)))
+        worst[name] = off
+    return worst, STEPS
+
+
 def main():
     if not GIVEN.is_dir():
         skip(f"{GIVEN} is not there")
-    client = inputs if CLIENT == "inputs" else python if CLIENT.startswith("python") else fortran
+    client = {"inputs": inputs, "steps": steps}.get(CLIENT) or (python if CLIENT.startswith("python") else fortran)
     with tempfile.TemporaryDirectory() as folder:
         worst, limits = client(pathlib.Path(folder))
     for name, value in sorted(worst.items()):

@@ -149,9 +149,11 @@ def compare(work, what, rail, wheel, shift=0.0, force=0, last=-2000.0 / 460.0, s
     return found[1]
 
 
-def history(work, what, rail, wheel, moves, force=0, springs=(), start=2, follow=2, cells=1, track=(14.0, 0.0, 1435.0, 0.025)):
+def history(work, what, rail, wheel, moves, force=0, springs=(), start=2, follow=2, cells=1, track=(14.0, 0.0, 1435.0, 0.025),
+            place=0.0, layer=()):
     """Steps that continue each other, both sides, mirrored, against the program's run of the same steps. `moves`: of each
-    step, shift, yaw and the last of the velocities; `cells`: rolled in a step; `start`, `follow`: digits T."""
+    step, shift, yaw and the last of the velocities; `cells`: rolled in a step; `start`, `follow`: digits T; `place`: S of the
+    first step; `layer`: GG3, LAYTHK, TAU_C0, K_TAU."""
     found = {}
     way = 0.5 * cells
     speed = way if follow == 1 else 2000.0  # in a shift the wheel moves by VS
@@ -160,16 +162,21 @@ def history(work, what, rail, wheel, moves, force=0, springs=(), start=2, follow
         springs_here = [springs[0], sign * springs[1], *springs[2:]] if springs else ()
         set_pair(ire, side, rail, wheel, force, springs_here, list(track))
         call("cntc_setrollingstepsize", ire, -1, 0.0, float(cells))
+        if layer:
+            call("cntc_setmaterialparameters", ire, -1, 4, 8, [NU, NU, G, G, *layer])
         text, found[side] = "", []
         for k, (shift, yaw, last) in enumerate(moves):
-            position = [way * k if follow == 1 else 0.0, sign * shift, LOAD, 0.0, sign * yaw, 0.0]
+            position = [place + way * k if follow == 1 else place, sign * shift, LOAD, 0.0, sign * yaw, 0.0]
             velocity = [speed, 0.0, 0.0, 0.0, 0.0, last if force else last * speed]
             digits = {TANG: start if k == 0 else follow, PVTIME: 2 if k == 0 else 0}
             addon.flags(ire, -1, digits)
             found[side].append(solve_at(ire, position, velocity))
             text += (input_of(side, rail, wheel, position, velocity, force, springs_here, track, start) if k == 0 else
                      STEP.format(C=side, T=follow, F=force, position=row(position), velocity=row(velocity)))
-        wanted = run(work, text.replace("0.5 0.5 1.0 90d", f"0.5 0.5 {cells} 90d"))
+        text = text.replace("0.5 0.5 1.0 90d", f"0.5 0.5 {cells} 90d")
+        if layer:
+            text = text.replace("022033 ", "022433 ").replace("101002 ", "101402 ").replace("GG 1,2\n", f"GG 1,2\n {row(layer)}\n")
+        wanted = run(work, text)
         assert len(wanted) == len(moves), (what, side, list(wanted))
         for k, ours in enumerate(found[side]):
             assert len(ours) == len(wanted[k + 1]), (what, side, k, ours, wanted[k + 1])
@@ -276,7 +283,7 @@ def along_the_way(ire, kind, y, step, points, rise):
         assert abs(z - height(points, y) - rise * x * x) < 0.05, (x, z)
 
 
-def histories(work, rail, wheel):
+def histories(work, rail, wheel, rail_points):
     free, count = -1.0 / 460.0, 5
     moving = [(2.0 + 0.01 * k, 0.001 + 1e-4 * k, free * (1.0 + 1e-4 * k)) for k in range(count)]
     steps = history(work, "T = 2 from rest", rail, wheel, moving)
@@ -290,7 +297,32 @@ def histories(work, rail, wheel):
         assert abs(step[0][1] - 5000.0) < 10.0, pulled
     history(work, "F = 3", rail, wheel, moving[:3], force=3, springs=(2e4, 1000.0, 1e5, 0.0))
     history(work, "two patches", rail, wheel, [(6.2 + 1e-3 * k, 0.001, free) for k in range(3)], track=(14.0, 0.0, 1435.0, 0.05))
+    # What a layer has yielded goes with the material; the rail changes from step to step.
+    history(work, "layer", rail, wheel, moving, layer=(1000.0, 0.01, 150.0, 3000.0))
+    slices(work / "low.slcs", 5, 100.0, lambda at: [(y, z + 1e-4 * at * at) for y, z in rail_points], "U_OFFSET")
+    history(work, "slices", work / "low.slcs", wheel, moving, follow=1, start=1, cells=4, place=50.0, track=(-1.0, 753.0, 0.0, 0.025))
+    lifted(rail, wheel)
     endless(work, rail, wheel)
+
+
+def lifted(rail, wheel):
+    """A wheel that leaves its rail in a step forgets what it has left there."""
+    for side, sign in ((0, -1.0), (1, 1.0)):
+        set_pair(74 + side, side, rail, wheel, 0, (), [14.0, 0.0, 1435.0, 0.025])
+        at = [0.0, sign * 2.0, LOAD, 0.0, sign * 0.001, 0.0], [2000.0, 0.0, 0.0, 0.0, 0.0, -2000.0 / 460.0]
+        solve_at(74 + side, *at)
+        down = addon.array("cntc_getwheelsetposition", 74 + side, length=6)
+        up = down[:2] + [down[2] - 1.0] + down[3:]
+        forces = []
+        for number, position in enumerate((down, down, up, down, down)):
+            addon.flags(74 + side, -1, {TANG: 2, NORM: 0, PVTIME: 2 if number == 0 else 0})
+            call("cntc_setwheelsetposition", 74 + side, 2, 6, position)
+            assert addon.calculate(74 + side) == 0
+            forces.append(addon.array("cntc_getglobalforces", 74 + side, -1, length=3))
+        assert forces[2] == [0.0] * 3 and abs(forces[1][0]) > 1.5 * abs(forces[0][0]), forces
+        for before, after in ((0, 3), (1, 4)):
+            for a, b in zip(forces[before], forces[after]):
+                assert abs(a - b) < 1e-6 * LOAD, (side, forces)
 
 
 def endless(work, rail, wheel):
@@ -304,6 +336,13 @@ def endless(work, rail, wheel):
         last = solve_at(73, *at)[0]
     for a, b in zip(last[:3], steady[:3]):
         assert abs(a - b) < 2e-5 * LOAD, ("steady rolling does not stay steady", last, steady)
+    # The same by the height to which the load has led.
+    position = addon.array("cntc_getwheelsetposition", 73, length=6)
+    addon.flags(73, -1, {NORM: 0})
+    call("cntc_setwheelsetposition", 73, 2, 6, position)
+    assert addon.calculate(73) == 0
+    for a, b in zip(addon.reals("cntc_getcontactforces", 73, 1, count=4)[:3], steady):
+        assert abs(a - b) < 2e-3 * LOAD, ("by the height", a, b)
     call("cntc_setmaterialparameters", 73, -1, 0, 4, [NU, NU, 0.5 * G, G])
     assert addon.calculate(73) < 0, "other materials continue nothing"
     call("cntc_setmaterialparameters", 73, -1, 0, 4, [NU, NU, G, G])
@@ -338,7 +377,7 @@ def main():
         compare(work, "wheel slices", rail, work / "flat.slcw", 2.0, track=fixed)
         along_the_way(62, 1, 3.0, 0.05, wheel_points, 0.1)
         compare(work, "two patches", rail, wheel, 6.2, patches=2, track=(14.0, 0.0, 1435.0, 0.05))
-        histories(work, rail, wheel)
+        histories(work, rail, wheel, rail_points)
         print("plain, F = 1 to 3, slices, two patches: ok")
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bindings/contact/few_contact.hpp"
+#include "halfspace/model/few_contact.hpp"
 
 #include "base/errors.hpp"
 #include "contact/solve/point_motion.hpp"
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace rollfem::addon {
+namespace rollfem::halfspace {
 
 using contact::Scene;
 
@@ -35,9 +35,8 @@ bool same(const contact::CombinedMaterial& a, const contact::CombinedMaterial& b
 
 std::optional<contact::PointResult> FewContact::solve(const Scene& scene,
                                                       const contact::ContactGrid& grid) {
-  if (!is_simple(scene) || grid.size() > most_elements || grid.nx > halfspace::most_columns)
-    return {};
-  const contact::ChartedGeometry geometry = halfspace::halfspace_geometry(scene);
+  if (!is_simple(scene) || grid.size() > most_elements || grid.nx > most_columns) return {};
+  const contact::ChartedGeometry geometry = halfspace_geometry(scene);
   if (geometry.curved()) return {};
   const contact::Field distance = geometry.undeformed_distance(grid);
   const bool known = distance_.size() == distance.size() && distance_ == distance &&
@@ -59,13 +58,13 @@ bool FewContact::press(const Scene& scene, const contact::ContactGrid& grid,
   const double ratio = grid.dy / grid.dx;
   if (table_.nx != grid.nx || table_.ny != grid.ny || table_.ratio != ratio ||
       !same(material_, scene.material))
-    table_ = halfspace::influence_table(grid.nx, grid.ny, ratio, scene.material);
+    table_ = influence_table(grid.nx, grid.ny, ratio, scene.material);
   if (!rolling_ || grid_.nx != grid.nx || grid_.ny != grid.ny)
     rolling_.emplace(grid.nx, grid.ny, grid.size());
   grid_ = grid;
   material_ = scene.material;
   load_ = scene.points.front().load;
-  halfspace::FewElementsNormal compliance(material_);
+  FewElementsNormal compliance(material_);
   const std::vector<double> carried(static_cast<std::size_t>(grid.ny), 1.0);
   compliance.set({{&table_, grid, carried.data()}});
   contact::NormalOptions options;
@@ -101,23 +100,26 @@ void FewContact::roll(const Scene& scene, const contact::ChartedGeometry& geomet
   newton_.solve(*rolling_, grid_, problem, rolling_->grid_indices(), options,
                 {fields.traction.x, fields.traction.y});
   point_.creepage = creepage;
-  for (contact::Field* field : {&fields.traction.x, &fields.traction.y, &fields.slip.x,
-                                &fields.slip.y, &fields.traction_bound})
-    field->setZero(grid_.size());
-  fields.state.assign(static_cast<std::size_t>(grid_.size()), contact::ElementState::exterior);
-  const auto count = static_cast<Eigen::Index>(rolling_->grid_indices().size());
-  for (Eigen::Index e = 0; e < count; ++e) {
-    const Eigen::Index k = rolling_->grid_indices()[static_cast<std::size_t>(e)];
-    fields.traction.x[k] = newton_.traction()[e];
-    fields.traction.y[k] = newton_.traction()[count + e];
-    fields.slip.x[k] = newton_.slip()[e];
-    fields.slip.y[k] = newton_.slip()[count + e];
-    fields.traction_bound[k] = newton_.bound()[e];
-    fields.state[static_cast<std::size_t>(k)] = newton_.adheres()[static_cast<std::size_t>(e)]
-                                                    ? contact::ElementState::adhesion
-                                                    : contact::ElementState::slip;
-  }
+  const std::vector<Eigen::Index>& places = rolling_->grid_indices();
+  const auto count = static_cast<Eigen::Index>(places.size());
+  const auto on_grid = [&](const Eigen::VectorXd& both) {
+    const contact::Field none = contact::Field::Zero(grid_.size());
+    contact::TangentialField field{none, none};
+    for (Eigen::Index e = 0; e < count; ++e) {
+      field.x[places[static_cast<std::size_t>(e)]] = both[e];
+      field.y[places[static_cast<std::size_t>(e)]] = both[count + e];
+    }
+    return field;
+  };
+  contact::TangentialSolution solution;
+  solution.traction = on_grid(newton_.traction());
+  fields.slip = on_grid(newton_.slip());
+  contact::set_states(newton_, places, problem.friction, grid_, solution);
+  fields.traction.x = std::move(solution.traction.x);
+  fields.traction.y = std::move(solution.traction.y);
+  fields.traction_bound = std::move(solution.bound);
+  fields.state = std::move(solution.state);
   contact::integrate_tractions(grid_, point_);
 }
 
-}  // namespace rollfem::addon
+}  // namespace rollfem::halfspace

@@ -11,7 +11,7 @@
 
 #include <optional>
 
-namespace rollfem::addon {
+namespace rollfem::halfspace {
 
 class FewContact {
  public:
@@ -30,11 +30,11 @@ class FewContact {
   contact::CombinedMaterial material_;
   contact::NormalLoad load_;
   contact::Field distance_;  ///< by which the pressure was found; empty: none
-  halfspace::InfluenceTable table_;
+  InfluenceTable table_;
   contact::BoundConstrainedCg normal_;
-  std::optional<halfspace::FewElementsRolling> rolling_;
+  std::optional<FewElementsRolling> rolling_;
   contact::FrictionNewton newton_;
   contact::PointResult point_;
 };
 
-}  // namespace rollfem::addon
+}  // namespace rollfem::halfspace
