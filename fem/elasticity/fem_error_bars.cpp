@@ -176,9 +176,10 @@ void set_pass_bars(const std::vector<PointResult>& coarse, double cell, bool sur
                    std::vector<PointResult>& fine) {
   // Counted over random loads with benchmark_fem_pass_bars (docs/plasticity.md).
   constexpr double safety = 1.25, least = 0.25, unresolved = 0.6;
-  // In plane strain (5 k, friction 0.39) half as large cells change the residual stress of the
-  // surface by 1.9 times cell / semi-axis.
-  constexpr double at_kinks = 1.5;
+  // What both meshes miss. In plane strain (5 k, friction 0.39) half as large cells change the
+  // residual stress of the surface by 1.9 times cell / semi-axis. In 28 scenes in three dimensions
+  // 96 % of the bars hold with this part of its square, 93 % with two thirds of it.
+  constexpr double missed = 1.5;
   std::map<std::string, double> largest;
   double axis = 0.0;
   for (std::size_t k = 0; k < fine.size(); ++k) {
@@ -199,7 +200,7 @@ void set_pass_bars(const std::vector<PointResult>& coarse, double cell, bool sur
         of_strain = std::max(of_strain, largest["plastic_increment"]);
       const double across = axis > 0.0 ? cell / axis : 0.0;
       const double of_cells =
-          name == "residual_stress" && surface_flows ? at_kinks * across : across * across;
+          missed * (name == "residual_stress" && surface_flows ? across : across * across);
       const double part = std::max({largest[name], of_strain, of_cells});
       if (part > unresolved)
         fine[k].no_bar[name] = contact::NoBar::not_resolved;
