@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -33,25 +32,6 @@ void unstack(const Eigen::VectorXd& both, Vector& displacement, Vector& load) {
   std::copy_n(both.data() + n, n, load.begin());
   displacement.update_ghost_values();
 }
-
-/// Near the limit of shakedown old steps, from points that yield no longer, hold the iteration up
-/// for hundreds of steps: without progress it begins anew.
-class Patience {
- public:
-  bool ends_with(double residual) {
-    constexpr int most = 5;
-    ++without_progress_;
-    if (residual >= smallest_ && without_progress_ < most) return false;
-    const bool in_vain = residual >= smallest_;
-    smallest_ = residual;
-    without_progress_ = 0;
-    return in_vain;
-  }
-
- private:
-  double smallest_ = std::numeric_limits<double>::infinity();
-  int without_progress_ = 0;
-};
 
 /// Follows every path through the total strain: streamlines from their inflow, or the single points
 /// of a pressed body from the step before.
@@ -135,30 +115,30 @@ constexpr int depth = 10;  ///< of Anderson's method
 /// the difference from the last exact one.
 class PlasticResponse {
  public:
-  PlasticResponse(const PassSolver& solver, const YieldedBody& start)
-      : solver_(solver), correction_(start.displacement) {
-    if (solver.in_part == nullptr) return;
-    Vector rough = correction_;
+  /// `goes_on`: from the last iteration with this solver.
+  PlasticResponse(PassSolver& solver, const YieldedBody& start, bool goes_on) : solver_(solver) {
+    if (solver.in_part == nullptr || (goes_on && solver.correction.size() != 0)) return;
+    solver.correction = start.displacement;
+    Vector rough = start.displacement;
     solver.in_part->solve(rough, start.load);
-    correction_ -= rough;
+    solver.correction -= rough;
   }
   void solve(const Vector& load, Vector& displacement) const {
     if (solver_.in_part == nullptr) return solver_.exact.solve(displacement, load);
     solver_.in_part->solve(displacement, load);
-    displacement += correction_;
+    displacement += solver_.correction;
   }
   /// Replaces what solve() found for the same load. False: it was exact.
   bool solve_exactly(const Vector& load, Vector& displacement) {
     if (solver_.in_part == nullptr) return false;
-    correction_ -= displacement;
+    solver_.correction -= displacement;
     solver_.exact.solve(displacement, load);
-    correction_ += displacement;
+    solver_.correction += displacement;
     return true;
   }
 
  private:
-  const PassSolver& solver_;
-  Vector correction_;
+  PassSolver& solver_;
 };
 
 }  // namespace
@@ -192,12 +172,27 @@ PassSolver::PassSolver(const Streamlines& streamlines, const LinearSolver& solve
       }),
       steps(depth, energy) {}
 
+bool Patience::ends_with(double residual) {
+  constexpr int most = 5;
+  ++without_progress_;
+  if (residual >= smallest_ && without_progress_ < most) return false;
+  const bool in_vain = residual >= smallest_;
+  smallest_ = residual;
+  without_progress_ = 0;
+  return in_vain;
+}
+
+void PassSolver::forget() {
+  steps.restart();
+  patience = {};
+  correction = {};
+}
+
 PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law, PassSolver& solver,
                        const std::vector<Deviator>& elastic, const PassAccuracy& accuracy,
                        YieldedBody& yielded, const std::vector<double>& hot) {
   Flow flow(streamlines, law, elastic, hot, yielded, accuracy.steps);
-  PlasticResponse response(solver, yielded);
-  Patience patience;
+  PlasticResponse response(solver, yielded, accuracy.once);
   PassReport report;
   Vector displacement = yielded.displacement, load = yielded.load;
   displacement.update_ghost_values();
@@ -212,7 +207,10 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law, Pa
     report.residual = all == 0.0 ? 0.0 : std::sqrt(change / all);
     return all == 0.0 || (report.residual <= accuracy.residual && report.iterations > 1);
   };
-  if (!accuracy.once) solver.steps.interrupt();
+  if (!accuracy.once) {
+    solver.steps.interrupt();
+    solver.patience = {};
+  }
   for (report.iterations = 1;; ++report.iterations) {
     flow.follow(displacement, load);
     response.solve(load, displacement);
@@ -228,7 +226,7 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law, Pa
           "do: give a smaller load or friction, hardening, or a smaller [fem] cell_size",
           report.iterations, report.residual, accuracy.residual,
           law.parameters().shear_yield_stress()));
-    if (patience.ends_with(change)) solver.steps.restart();
+    if (solver.patience.ends_with(change)) solver.steps.restart();
     tried = solver.steps.next(tried, result);
     unstack(tried, displacement, load);
     if (accuracy.once) break;

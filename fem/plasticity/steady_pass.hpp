@@ -11,6 +11,7 @@
 #include "fem/plasticity/streamlines.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -55,6 +56,17 @@ struct PassAccuracy {
   int steps = 4;  ///< of the law between two stations, or from one load to the next
 };
 
+/// Near the limit of shakedown, and where a patch grows, old steps from points that yield no longer
+/// hold the iteration up for hundreds of steps: without progress it begins anew.
+class Patience {
+ public:
+  bool ends_with(double residual);
+
+ private:
+  double smallest_ = std::numeric_limits<double>::infinity();
+  int without_progress_ = 0;
+};
+
 /// The displacement of a body by plastic strain, and what its iterations have learned about it:
 /// those of similar loads go on with the steps of the last one.
 struct PassSolver {
@@ -65,6 +77,11 @@ struct PassSolver {
   std::shared_ptr<const LinearSolver> in_part;  ///< on the streamlines only; null: none
   contact::Anderson::Product energy;            ///< of displacements stacked on their loads
   contact::Anderson steps;
+  Patience patience;
+  Vector correction;  ///< what displacements of `in_part` lack, mm; empty: not known
+
+  /// Begins anew.
+  void forget();
 };
 
 /// `elastic`: deviatoric strain at the points under the load alone; `hot`: their temperature, see

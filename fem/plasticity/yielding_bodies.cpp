@@ -137,7 +137,7 @@ class YieldingBody {
     accuracy.whole_body = counts;
     accuracy.once = now_.pressed() && !counts;
     // The contact no longer gives way.
-    if (now_.pressed() && counts) solver_.steps.restart();
+    if (now_.pressed() && counts) solver_.forget();
     accuracy.residual = counts ? tight_residual
                                : std::clamp(part_of_change * relative_change(strain, last_strain_),
                                             loose_residual, loosest_residual);
@@ -181,7 +181,7 @@ class YieldingBody {
     if (extrapolates_ && results_.cycle_ended())
       limit_.approach(residual_behind_load(), before_.leaving);
     last_strain_.clear();  // the next pass begins as in a run that is resumed
-    solver_.steps.restart();
+    solver_.forget();
     return section;
   }
   /// What the next pass starts from; by reading it the body goes on from there.
