@@ -22,6 +22,9 @@ class Compliance {
 
   /// The displacement and its further effect on the slip of steady rolling.
   virtual Response respond(const SurfaceField& traction) const { return {apply(traction), {}}; }
+  /// Relative distance of the last response from that of bodies in balance, which bodies that yield
+  /// approach from one response to the next.
+  virtual double imbalance() const { return 0.0; }
 };
 
 /// The normal block A_nn with an approximate inverse for conjugate gradients.

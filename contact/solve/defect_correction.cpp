@@ -199,6 +199,30 @@ class OuterSteps {
   int vain_ = 0;
 };
 
+/// After the last iteration.
+[[noreturn]] void refuse(const Preconditioner& preconditioner, const PointProblem& problem,
+                         const ContactState& solution, double tolerance, double imbalance) {
+  const std::string how = "the outer contact iteration did not converge: relative residual " +
+                          std::to_string(solution.residual) + " after " +
+                          std::to_string(solution.iterations) + " iterations, required " +
+                          std::to_string(tolerance);
+  if (imbalance > tolerance)
+    throw SolveError(how +
+                     "; the steel that yields is not in balance; do: give more load steps, a "
+                     "smaller load or friction, hardening, or a smaller [fem] cell_size");
+  if (solution.tangential.feedback) {
+    const SteepCause why = steep_cause(
+        *problem.conditions.friction, solution.tangential.steepness,
+        problem.motion.past ? problem.motion.past->length : preconditioner.whole.grid().dx);
+    throw NoSteadyFriction(
+        why.cause +
+        " that no stable steady state was found: it jumps to another one whenever pressure and "
+        "slip are corrected for each other; do: " +
+        why.cure + " (" + how + ")");
+  }
+  throw SolveError(how);
+}
+
 }  // namespace
 
 TransmittedForce transmitted_by(const ContactGrid& grid, const ContactConditions& conditions,
@@ -236,9 +260,14 @@ ContactState solve_coupled(const Compliance& compliance, const Preconditioner& p
     solution.defect = defect_of(response, preconditioner, traction, problem.frame);
     solution.iterations = iteration;
     solution.residual =
-        defect_residual(preconditioner, problem, solution, defect, options.to_the_bound);
+        std::max(compliance.imbalance(),
+                 defect_residual(preconditioner, problem, solution, defect, options.to_the_bound));
     if (each_iteration) each_iteration(solution);
     if (solution.residual <= options.tolerance) return solution;
+    if (options.anderson_depth == 0) {
+      defect = solution.defect;
+      continue;
+    }
 
     // Friction can move the patch of unlike bodies out of the grid sized for the frictionless
     // pressure: cut off at the border it has the pressure of a punch, and there may be no solution.
@@ -256,21 +285,7 @@ ContactState solve_coupled(const Compliance& compliance, const Preconditioner& p
     }
     defect = unstacked(steps.next(stacked(defect), stacked(solution.defect)));
   }
-  const std::string how = "the outer contact iteration did not converge: relative residual " +
-                          std::to_string(solution.residual) + " after " +
-                          std::to_string(solution.iterations) + " iterations, required " +
-                          std::to_string(options.tolerance);
-  if (solution.tangential.feedback) {
-    const SteepCause why = steep_cause(
-        *problem.conditions.friction, solution.tangential.steepness,
-        problem.motion.past ? problem.motion.past->length : preconditioner.whole.grid().dx);
-    throw NoSteadyFriction(
-        why.cause +
-        " that no stable steady state was found: it jumps to another one whenever pressure and "
-        "slip are corrected for each other; do: " +
-        why.cure + " (" + how + ")");
-  }
-  throw SolveError(how);
+  refuse(preconditioner, problem, solution, options.tolerance, compliance.imbalance());
 }
 
 }  // namespace rollfem::contact

@@ -17,7 +17,7 @@ namespace rollfem::contact {
 struct OuterOptions {
   double tolerance = 1e-4;  ///< on the defect's change, relative to approach and creepage load
   int max_iterations = 40;
-  int anderson_depth = 3;
+  int anderson_depth = 3;  ///< 0: plain steps, for bodies that come into balance meanwhile
   /// Relative to the slip equivalent of the friction bound if that is less than the creepage load:
   /// needed by the search for a prescribed force, which is small at low friction.
   bool to_the_bound = false;

@@ -125,6 +125,7 @@ class SharedLevel {
   std::string memory() const { return yielding_ ? yielding_->memory() : std::string(); }
   void restore(const std::string& memory) { last_pass_ = memory; }
   std::size_t most_beside() const;
+  double imbalance() const { return yielding_ ? yielding_->imbalance() : 0.0; }
   /// Adds the displacement by plastic flow to the responses of a compliance.
   void let_yield(FemCompliance& of_point) const {
     if (yielding_ && options_of(scene).pass_pressure == PassPressure::yielding)
@@ -208,6 +209,8 @@ class LevelElasticity : public contact::Elasticity, private contact::Compliance 
     response.displacement.y += level_.scene.material.layer * traction.y;
     return response;
   }
+
+  double imbalance() const override { return level_.imbalance(); }
 
   SharedLevel& level_;
   std::unique_ptr<FemCompliance> own_;
@@ -339,6 +342,8 @@ void SharedLevel::add_stresses(const FemCompliance& of_point, std::size_t k, Poi
 
 /// Every outer iteration solves each body, so the tolerance matches the accuracy of the elements.
 constexpr contact::ContactAccuracy fem_accuracy{1e-6, {1e-4, 40, 3}};
+/// Steel that is pressed comes into balance together with the contact.
+constexpr contact::ContactAccuracy pressed_accuracy{1e-6, {2e-5, 300, 0}};
 /// Tolerance of a prescribed force, relative to mu F_z.
 constexpr double force_tolerance = 1e-5;
 
@@ -390,8 +395,11 @@ void SharedLevel::solve_contact() {
     record.demand(first_defect.displacement.x.size() == first_defect.displacement.n.size());
   };
   const contact::ModelResult before = result;
+  // Bodies that yield begin the first load point from where this solution has left their iteration,
+  // which is not stored: without that point it is found anew.
   const bool stored =
       options_.checkpoint != nullptr &&
+      (!scene.yields() || options_.checkpoint->find(name + "-0001")) &&
       contact::found(*options_.checkpoint, name + "-normal", start, layout.grid.size());
   if (!stored) {
     result = before;
@@ -400,7 +408,8 @@ void SharedLevel::solve_contact() {
   contact::RunOptions run_options;
   run_options.model = "fem";
   run_options.stage_prefix = options_.stage_prefix;
-  run_options.accuracy = run_options.force_accuracy = fem_accuracy;
+  run_options.accuracy = run_options.force_accuracy =
+      scene.yields() && scene.is_history() ? pressed_accuracy : fem_accuracy;
   run_options.force_tolerance = force_tolerance;
   run_options.independent = !scene.is_history() && !scene.load_changes() && !scene.yields();
   const auto make = [&] { return std::make_unique<LevelElasticity>(*this); };

@@ -212,7 +212,7 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law, Pa
     report.residual = all == 0.0 ? 0.0 : std::sqrt(change / all);
     return all == 0.0 || (report.residual <= accuracy.residual && report.iterations > 1);
   };
-  solver.steps.interrupt();
+  if (!accuracy.once) solver.steps.interrupt();
   for (report.iterations = 1;; ++report.iterations) {
     flow.follow(displacement, load);
     response.solve(load, displacement);
@@ -231,6 +231,7 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law, Pa
     if (patience.ends_with(change)) solver.steps.restart();
     tried = solver.steps.next(tried, result);
     unstack(tried, displacement, load);
+    if (accuracy.once) break;
   }
   yielded.displacement = displacement;
   yielded.displacement.update_ghost_values();

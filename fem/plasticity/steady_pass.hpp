@@ -50,6 +50,8 @@ struct PassAccuracy {
   int most_iterations = 300;
   /// Otherwise the displacement is defined on the streamlines only.
   bool whole_body = true;
+  /// One iteration towards balance, which need not be reached, going on from the last one.
+  bool once = false;
   int steps = 4;  ///< of the law between two stations, or from one load to the next
 };
 

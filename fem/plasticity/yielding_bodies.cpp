@@ -135,15 +135,20 @@ class YieldingBody {
     next.strain = before_.strain;
     PassAccuracy accuracy;
     accuracy.whole_body = counts;
-    if (now_.pressed()) solver_.steps.restart();  // steps of pressing differ more
+    accuracy.once = now_.pressed() && !counts;
+    // The contact no longer gives way.
+    if (now_.pressed() && counts) solver_.steps.restart();
     accuracy.residual = counts ? tight_residual
                                : std::clamp(part_of_change * relative_change(strain, last_strain_),
                                             loose_residual, loosest_residual);
     const PassReport report = steady_pass(streamlines_, law_, solver_, strain, accuracy, next, hot);
     now_ = std::move(next);
     last_strain_ = std::move(strain);
+    imbalance_ = accuracy.once ? report.residual : 0.0;
     return report;
   }
+
+  double imbalance() const { return imbalance_; }
 
   /// Gives the material points the temperature that these elements of the surface have, degC.
   void warm(const contact::ContactGrid& grid, const contact::Field& surface) {
@@ -300,6 +305,7 @@ class YieldingBody {
   std::vector<Deviator> last_strain_;  ///< under the last load
   std::vector<Deviator> initial_;  ///< strain of the residual stress before, of every streamline
   std::vector<double> rise_;       ///< K, of the last pass that ended, at all points; or empty
+  double imbalance_ = 0.0;
   YieldedBody before_, now_;
 };
 
@@ -324,6 +330,13 @@ std::vector<Vector> YieldingBodies::respond(const std::vector<Vector>& elastic) 
     plastic[k].update_ghost_values();  // copies have none
   }
   return plastic;
+}
+
+double YieldingBodies::imbalance() const {
+  double most = 0.0;
+  for (const auto& part : parts_)
+    if (part) most = std::max(most, part->imbalance());
+  return most;
 }
 
 void YieldingBodies::finish_pass(const std::vector<Vector>& elastic, contact::PointResult& point) {

@@ -58,6 +58,9 @@ class YieldingBodies {
   /// elastic displacements; empty for a body that stays elastic. The pass does not count until it
   /// is finished. It has the temperatures of the pass before. Throws contact::SolveError.
   std::vector<Vector> respond(const std::vector<Vector>& elastic);
+  /// Of the last response: relative out-of-balance forces of a step of pressing, which each
+  /// response brings closer to balance; 0 in passes.
+  double imbalance() const;
   /// Ends the pass under these elastic displacements: fills the results of the point and keeps the
   /// state for the next pass. Throws YieldsBeyondStreamlines.
   void finish_pass(const std::vector<Vector>& elastic, contact::PointResult& point);

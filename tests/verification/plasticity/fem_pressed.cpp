@@ -4,6 +4,7 @@
 // is resumed.
 #include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
+#include "fem/fem_options.hpp"
 
 #include "support/equal_balls.hpp"
 #include "support/records_in_memory.hpp"
@@ -90,6 +91,27 @@ TEST(PlasticPressing, ABallYieldsFirstAtItsElasticLimit) {
 
 namespace {
 
+/// What finite elements of others give for a perfectly plastic ball of nu = 0.3 and a rigid flat,
+/// which differ from a rigid ball on a flat by the square of patch over radius: fitted by Jackson
+/// and Green (2005, J. Tribol. 127, 343), where more than the core yields.
+struct FittedContact {
+  double force, radius;  ///< N, mm
+};
+
+FittedContact by_jackson_and_green(double approach) {
+  const double c = 1.295 * std::exp(0.736 * 0.3), yield_strain = yield_stress / contact_modulus;
+  const double slope = 0.5 * contact::pi * c * yield_strain;  // a/R at first yield
+  const double first_force =
+      4.0 / 3.0 * ball_radius * ball_radius * contact_modulus * slope * slope * slope;
+  const double w = approach / (slope * slope * ball_radius);
+  const double relative =
+      slope * std::sqrt(w * std::pow(w / 1.9, 0.14 * std::exp(23.0 * yield_strain)));
+  const double hardness = 2.84 * (1.0 - std::exp(-0.82 * std::pow(relative, -0.7)));
+  return {first_force * (std::exp(-0.25 * std::pow(w, 5.0 / 12.0)) * std::pow(w, 1.5) +
+                         4.0 * hardness / c * (1.0 - std::exp(-0.04 * std::pow(w, 5.0 / 9.0))) * w),
+          ball_radius * relative};
+}
+
 /// Up to fifteen times the load of first yield in two steps, off and on again.
 const std::vector<PointResult>& up_down_and_up() {
   static const std::vector<PointResult> points = [] {
@@ -127,6 +149,8 @@ TEST(PlasticPressing, UnloadingIsElasticAndSoIsTheSameLoadAgain) {
   const double core =
       2.0 / 3.0 * (1.0 + std::log(contact_modulus * a / (3.0 * yield_stress * ball_radius)));
   EXPECT_NEAR(mean_pressure(most) / yield_stress, core + 2.0 / 3.0, 0.25);
+  for (const PointResult* point : {&points[0], &most})
+    EXPECT_NEAR(point->normal_force / by_jackson_and_green(point->approach).force, 1.0, 0.08);
   EXPECT_NEAR(slope / (2.0 * contact_modulus * a), 1.0, 0.04);
   EXPECT_NEAR(
       (most.approach - none.approach) / sinking_of(most.fields.traction.n, cell_of_unloading), 1.0,
@@ -139,6 +163,25 @@ TEST(PlasticPressing, UnloadingIsElasticAndSoIsTheSameLoadAgain) {
   EXPECT_NEAR(none.approach / *none.groove_depth, 1.0, 0.03);
   EXPECT_NEAR(again.max_pressure / most.max_pressure, 1.0, 1e-3);
   EXPECT_NEAR(again.approach / most.approach, 1.0, 1e-4);
+}
+
+// From a patch of twelve elements to steel that flows all around the contact: E* a / (Y R) = 40,
+// where the mean pressure is 2.8 Y (Tabor 1951; Johnson 1985, section 6.3).
+TEST(PlasticPressing, TheMeanPressureRisesToThatOfSteelThatFlowsAllAround) {
+  Case input = ball_on_flat({10e3, 20e3, 38e3, 70e3});
+  input.options.set<fem::FemOptions>().plastic_extent = 1.3;
+  const auto points = steps_of(input, 1.3);
+  for (const PointResult& point : points) {
+    EXPECT_TRUE(point.converged);
+    EXPECT_NEAR(point.normal_force / by_jackson_and_green(point.approach).force, 1.0, 0.08);
+  }
+  for (const PointResult* point : {&points[1], &points[2], &points[3]}) {
+    const double a = by_jackson_and_green(point->approach).radius;
+    EXPECT_NEAR(std::sqrt(point->contact_area / contact::pi) / a, 1.0, 0.04);
+  }
+  const double a = std::sqrt(points[3].contact_area / contact::pi);
+  EXPECT_NEAR(contact_modulus * a / (yield_stress * ball_radius), 40.0, 1.0);
+  EXPECT_NEAR(mean_pressure(points[3]) / yield_stress, 2.8, 0.1);
 }
 
 namespace {
@@ -214,4 +257,10 @@ TEST(PlasticPressing, ARunThatIsResumedGivesTheSameToTheLastBit) {
   EXPECT_EQ(whole.max_pressure, resumed.max_pressure);
   EXPECT_EQ(whole.plastic_strain, resumed.plastic_strain);
   EXPECT_EQ(whole.groove_depth, resumed.groove_depth);
+  // Stopped before the first step.
+  for (const char* step : {"0001", "0002", "0003"})
+    kept.records.erase(std::string("fem-0.25mm-") + step);
+  const PointResult begun = fem::run_level(input, options, {}).points.back();
+  EXPECT_EQ(whole.max_pressure, begun.max_pressure);
+  EXPECT_EQ(whole.groove_depth, begun.groove_depth);
 }
