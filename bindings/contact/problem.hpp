@@ -48,7 +48,7 @@ struct Problem {
   double penetration = 0.0, normal_force = 0.0;
   std::array<double, 3> creepage{};    ///< CKSI, CETA, CPHI; in a shift mm and rad
   std::array<double, 2> tangential{};  ///< FX, FY over FSTAT FN
-  ElementSlip extra_slip;
+  PatchSlips extra_slip;
   double time_step = 0.0;
   std::array<std::string, 2> profile_text;  ///< of rail and wheel where given by values
   std::map<int, Block> blocks;

@@ -224,7 +224,9 @@ void cntc_setcreepages(Int ire, Int icp, Real vx, Real vy, Real phi) {
 void cntc_setextrarigidslip(Int ire, Int icp, Int lenarr, Real wx, Real wy) {
   guarded("cntc_setextrarigidslip", {ire, icp, lenarr, wx, wy}, [&] {
     const ElementSlip extra{finite_values(wx, *lenarr), finite_values(wy, *lenarr)};
-    for_problems(*ire, *icp, [&](Problem& problem) { problem.extra_slip = extra; });
+    for_problems(*ire, *icp, [&](Problem& problem) {
+      problem.extra_slip[problem.given.module == 1 ? *icp : 1] = extra;
+    });
   });
 }
 

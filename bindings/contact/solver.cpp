@@ -108,8 +108,23 @@ track::ProfilePair repaired_profiles(contact::Case& input, const ProfileTexts& t
     }
 }
 
-void add_slip(const ElementSlip& extra, const Patch& patch, Scene& scene) {
-  if (extra[0].empty()) return;
+/// CONTACT's axes on the track point forward, to the right and down, its body 1 is the rail.
+Patch on_rail(const ContactGrid& grid) {
+  Patch patch;
+  patch.grid = grid;
+  patch.nx = grid.nx;
+  patch.ny = grid.ny;
+  patch.along = -1.0;
+  patch.turns_rows = true;
+  return patch;
+}
+
+void add_slip(const PatchSlips& slips, int number, const Patch& patch, Scene& scene) {
+  const auto given = slips.find(number);
+  if (given == slips.end() || given->second[0].empty()) return;
+  const ElementSlip& extra = given->second;
+  if (scene.place && scene.geometry.extra_slip != contact::ExtraSlip::none)
+    throw Refusal(err_other, "extra rigid slip in module 1 but in steady rolling with D = 2");
   if (scene.problem != contact::Problem::steady && scene.problem != contact::Problem::transient)
     throw Refusal(err_other, "extra rigid slip of a contact that does not roll");
   if (extra[0].size() != static_cast<std::size_t>(patch.size()))
@@ -122,7 +137,7 @@ void add_slip(const ElementSlip& extra, const Patch& patch, Scene& scene) {
     for (int j = 0; j < patch.ny; ++j)
       for (int i = 0; i < patch.nx; ++i)
         all.values[k][static_cast<std::size_t>(patch.index(i, j))] =
-            patch.along *
+            (k == 0 ? patch.along : patch.across) *
             extra[k][static_cast<std::size_t>(j) * static_cast<std::size_t>(patch.nx) +
                      static_cast<std::size_t>(i)];
   scene.geometry.extra_slip = contact::ExtraSlip::file;
@@ -162,11 +177,9 @@ std::optional<Equivalent> Solver::start_of(const convert::ContactCase& given, Eq
 }
 
 std::vector<Patch> Solver::solve(const convert::ContactCase& given, const ProfileTexts& texts,
-                                 const ElementSlip& extra) {
+                                 const PatchSlips& extra) {
   Equivalent made = convert::equivalent_of(given, "");
   refuse_impossible(made);
-  if (given.module == 1 && !extra[0].empty())
-    throw Refusal(err_other, "extra rigid slip of elements in module 1");
   const std::optional<Equivalent> start = start_of(given, made);
   if (!start) {
     before_.reset();
@@ -180,10 +193,10 @@ std::vector<Patch> Solver::solve(const convert::ContactCase& given, const Profil
   } else {
     if (start && !wheel_) {
       set_case(*start, texts);
-      solve_pair();
+      solve_pair({});
     }
     set_case(made, texts, start ? &*start : nullptr);
-    patches = solve_pair();
+    patches = solve_pair(extra);
   }
   before_ = std::move(made);
   return patches;
@@ -299,7 +312,7 @@ void Solver::remember(const Scene& scene, const contact::LevelResult& level) {
 }
 
 Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& made,
-                           const ElementSlip& extra) {
+                           const PatchSlips& extra) {
   const auto scene = std::make_shared<Scene>(input_);
   Patch patch;
   patch.scene = scene;
@@ -309,7 +322,7 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
   patch.grid = halfspace::PatchSearch(*scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
   patch.nx = patch.grid.nx;
   patch.ny = patch.grid.ny;
-  add_slip(extra, patch, *scene);
+  add_slip(extra, 1, patch, *scene);
   contact::ModelResult result;
   if (convert::is_simplified(given.digits)) {
     result = theories::models().at(made.model).run(*scene, {}, nullptr);
@@ -338,18 +351,12 @@ Patch Solver::solve_single(const convert::ContactCase& given, const Equivalent& 
   return patch;
 }
 
-/// CONTACT's axes on the track point forward, to the right and down, its body 1 is the rail.
 Patch Solver::placed_patch(const Scene& scene, contact::PointResult point, const ContactGrid& grid,
                            const std::vector<track::PlacedScene>& placed,
                            const track::RailVector& rail_moved) const {
-  Patch patch;
+  Patch patch = on_rail(grid);
   patch.scene = std::make_shared<const Scene>(scene);
-  patch.grid = grid;
-  patch.nx = grid.nx;
-  patch.ny = grid.ny;
   patch.point = std::move(point);
-  patch.along = -1.0;
-  patch.turns_rows = true;
   const track::WheelRailContact& contact = track::contact_of(scene, placed);
   patch.placed = {
       contact,
@@ -358,7 +365,7 @@ Patch Solver::placed_patch(const Scene& scene, contact::PointResult point, const
   return patch;
 }
 
-std::vector<Patch> Solver::solve_pair() {
+std::vector<Patch> Solver::solve_pair(const PatchSlips& extra) {
   const std::vector<double>& turning = input_.wheelset.rotation_change;
   if (!wheel_ || !turning.empty()) rotation_ = turning.empty() ? 0.0 : turning.front();
   track::SearchOptions options;
@@ -367,11 +374,12 @@ std::vector<Patch> Solver::solve_pair() {
   if (!input_.track.rail_stiffness)
     placed_.scenes = track::make_scenes(input_, placed_.search, options);
   const track::BalancedCase balanced = track::balance(input_, placed_);
-  if (!input_.history.empty()) return take_step(balanced.scenes);
+  if (!input_.history.empty()) return take_step(balanced.scenes, extra);
   std::vector<Patch> patches;
-  for (const Scene& scene : balanced.scenes) {
+  for (Scene scene : balanced.scenes) {
     const auto& [dx, dy] = *scene.contact_grid.cell_size;
     ContactGrid grid = halfspace::PatchSearch(scene, halfspace::SearchDetail::box).grid(dx, dy, 3);
+    add_slip(extra, static_cast<int>(patches.size()) + 1, on_rail(grid), scene);
     contact::LevelResult level = solve_on(scene, grid);
     patches.push_back(placed_patch(scene, std::move(level.points.front()), grid, balanced.placed,
                                    balanced.rail_moved));
@@ -380,7 +388,10 @@ std::vector<Patch> Solver::solve_pair() {
 }
 
 /// A step that fails leaves those before it as they were.
-std::vector<Patch> Solver::take_step(std::vector<Scene> contacts) {
+std::vector<Patch> Solver::take_step(std::vector<Scene> contacts, const PatchSlips& extra) {
+  if (std::any_of(extra.begin(), extra.end(),
+                  [](const auto& one) { return !one.second[0].empty(); }))
+    throw Refusal(err_other, "extra rigid slip of wheels in time");
   const auto solve = [](const Scene& scene, const auto&, contact::Checkpoint*) {
     return halfspace::models().at("halfspace").run(scene, {}, nullptr);
   };

@@ -98,15 +98,17 @@ struct Patch {
 /// Points y, z as lines of text, instead of the profile files of rail and wheel; or empty.
 using ProfileTexts = std::array<std::string, 2>;
 
-/// Added to the rigid slip of each element of a contact of module 3 that rolls, over the rolling
-/// speed: components in CONTACT's axes, by rows of its elements; empty: nothing.
+/// Added to the rigid slip of each element of a contact that rolls, over the rolling speed:
+/// components in CONTACT's axes, by rows of its elements; empty: nothing.
 using ElementSlip = std::array<std::vector<double>, 2>;
+/// By the number of the patch; 1 in module 3.
+using PatchSlips = std::map<int, ElementSlip>;
 
 class Solver {
  public:
   /// Throws Refusal, contact::InputError and contact::SolveError.
   std::vector<Patch> solve(const convert::ContactCase& given, const ProfileTexts& texts,
-                           const ElementSlip& extra);
+                           const PatchSlips& extra);
   /// The profiles, read as the case says; as solve().
   const track::ProfilePair& profiles(const convert::ContactCase& given, const ProfileTexts& texts);
 
@@ -120,9 +122,9 @@ class Solver {
   std::optional<convert::Equivalent> start_of(const convert::ContactCase& given,
                                               convert::Equivalent& made);
   Patch solve_single(const convert::ContactCase& given, const convert::Equivalent& made,
-                     const ElementSlip& extra);
-  std::vector<Patch> solve_pair();
-  std::vector<Patch> take_step(std::vector<contact::Scene> contacts);
+                     const PatchSlips& extra);
+  std::vector<Patch> solve_pair(const PatchSlips& extra);
+  std::vector<Patch> take_step(std::vector<contact::Scene> contacts, const PatchSlips& extra);
   Patch placed_patch(const contact::Scene& scene, contact::PointResult point,
                      const contact::ContactGrid& grid,
                      const std::vector<track::PlacedScene>& placed,

@@ -265,6 +265,30 @@ def located(rail_points, wheel_points):
         profile_values(ire, addon.array("cntc_getcontactlocation", ire, 1, length=38), side, wheel_points, rail_points)
 
 
+def slipping(rail, wheel):
+    """A uniform extra slip is the creepage of another rotation and lateral velocity, but for the spin of that rotation."""
+    for side, sign in ((0, -1.0), (1, 1.0)):
+        ire, turning = 68 + side, -2000.0 / 460.0
+        set_pair(ire, side, rail, wheel, 0, (), [14.0, 0.0, 1435.0, 0.025])
+        at = [0.0, sign * 2.0, LOAD, 0.0, sign * 0.001, 0.0]
+        ways = []
+        for rotation, aside in ((turning * 1.0005, sign * 1.0), (turning, 0.0)):
+            forces = solve_at(ire, at, [2000.0, aside, 0.0, 0.0, 0.0, rotation])[0]
+            ways.append((forces, addon.reals("cntc_getcreepages", ire, 1, count=3)))
+        (wanted, turned), (plain, straight) = ways
+        mx, my = addon.C.c_int(), addon.C.c_int()
+        call("cntc_getnumelements", ire, 1, addon.C.byref(mx), addon.C.byref(my))
+        count = mx.value * my.value
+        call("cntc_setextrarigidslip", ire, 1, count, [turned[0] - straight[0]] * count, [turned[1] - straight[1]] * count)
+        assert addon.calculate(ire) == 0
+        found = addon.reals("cntc_getcontactforces", ire, 1, count=4)
+        assert min(abs(wanted[k] - plain[k]) for k in (1, 2)) > 0.02 * LOAD, (wanted, plain)
+        for a, b in zip(found[:3], wanted):
+            assert abs(a - b) < 1e-3 * LOAD, (side, found, wanted, plain)
+        addon.flags(ire, -1, {DISCNS: 3})
+        assert addon.calculate(ire) < 0, "D = 3"
+
+
 def deflected(stiffness, force):
     """k d = F + F0 of the rail, to the right."""
     for ire, side in ((61, -1.0), (62, 1.0)):
@@ -359,6 +383,7 @@ def main():
         profile_file(wheel, wheel_points)
         plain = compare(work, "plain", rail, wheel, 2.0)[0]
         located(rail_points, wheel_points)
+        slipping(rail, wheel)
         # Forces: along on the rail, a torque about the axle, rails on springs.
         pulled = compare(work, "F = 1", rail, wheel, 2.0, force=1, last=5000.0)[0]
         assert abs(pulled[1] - 5000.0) < 50.0, pulled
