@@ -165,6 +165,18 @@ TEST(PlasticPressing, UnloadingIsElasticAndSoIsTheSameLoadAgain) {
   EXPECT_NEAR(again.approach / most.approach, 1.0, 1e-4);
 }
 
+// Four elements around the middle bear the same pressure whatever the steel does.
+TEST(PlasticPressing, APatchGrowsFromFourElements) {
+  Case input = ball_on_flat({10e3, 28e3});
+  input.options.set<fem::FemOptions>().plastic_extent = 1.3;
+  const auto points = steps_of(input, 1.6);
+  EXPECT_EQ((points[0].fields.traction.n.array() > 0.0).count(), 4);
+  EXPECT_TRUE(points[1].converged);
+  EXPECT_NEAR(std::sqrt(points[1].contact_area / contact::pi) /
+                  by_jackson_and_green(points[1].approach).radius,
+              1.0, 0.08);
+}
+
 // From a patch of twelve elements to steel that flows all around the contact: E* a / (Y R) = 40,
 // where the mean pressure is 2.8 Y (Tabor 1951; Johnson 1985, section 6.3).
 TEST(PlasticPressing, TheMeanPressureRisesToThatOfSteelThatFlowsAllAround) {
