@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Error bars of passes in plane strain: random loads on cells of a sixth of the half-width, with
-// bars from cells of a third, against cells of a ninth. docs/plasticity.md counts 30 scenes
+// bars from cells of a third, against cells of a ninth. docs/plasticity.md counts 35 scenes
 // (ROLLFEM_PASS_SCENES); benchmarks/fem_pass_bars.cpp does the same in three dimensions.
 #include "fem/elasticity/fem_error_bars.hpp"
 #include "result/quantities.hpp"
