@@ -182,8 +182,8 @@ TEST(PassBars, CellsOfAPartOfThePatchBoundThemFromBelow) {
   std::tie(same[0].semi_axis_x, same[0].semi_axis_y) = std::tuple(6.0, 4.5);
   auto fine = same;
   fem::set_pass_bars(same, 1.5, false, fine);
-  EXPECT_NEAR(fine[0].bar_of("plastic_strain").value(), 1.25 * 0.02 / 9.0, 1e-12);
-  EXPECT_NEAR(fine[0].bar_of("residual_stress").value(), 1.25 * 200.0 / 9.0, 1e-9);
+  EXPECT_NEAR(fine[0].bar_of("plastic_strain").value(), 1.25 * 1.5 * 0.02 / 9.0, 1e-12);
+  EXPECT_NEAR(fine[0].bar_of("residual_stress").value(), 1.25 * 1.5 * 200.0 / 9.0, 1e-9);
   fem::set_pass_bars(same, 1.5, true, fine);
   EXPECT_NEAR(fine[0].bar_of("residual_stress").value(), 1.25 * 1.5 * 200.0 / 3.0, 1e-9);
 }
