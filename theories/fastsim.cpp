@@ -117,8 +117,8 @@ namespace {
 
 /// Strips under Hertz's pressure with the adhesion of strip theory.
 StripAt strips_with_theory(const EllipticPatch& patch, const contact::Creepage& creepage) {
-  return [&patch, creepage, plain = strips_of(patch, BoundShape::elliptic)](double y) {
-    BrushStrip strip = plain(y);
+  return [&patch, creepage](double y) {
+    BrushStrip strip = strips_of(patch, BoundShape::elliptic)(y);
     if (strip.bound > 0.0)
       strip.theory.emplace(patch.hertz, patch.material,
                            patch.friction * patch.hertz.max_pressure / patch.hertz.semi_axis_x,
