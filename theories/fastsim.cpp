@@ -17,14 +17,16 @@ namespace rollfem::theories {
 
 namespace {
 
-StripAt strips_of(const EllipticPatch& patch, BoundShape shape) {
+BrushStrip strip_of(const EllipticPatch& patch, BoundShape shape, double y) {
   const double largest = patch.friction * patch.hertz.max_pressure *
                          (shape == BoundShape::parabolic ? 4.0 / 3.0 : 1.0);
-  return [&patch, largest, shape](double y) {
-    BrushStrip strip = ellipse_strip(patch.hertz, y, largest, shape);
-    strip.law = patch.falling.get();
-    return strip;
-  };
+  BrushStrip strip = ellipse_strip(patch.hertz, y, largest, shape);
+  strip.law = patch.falling.get();
+  return strip;
+}
+
+StripAt strips_of(const EllipticPatch& patch, BoundShape shape) {
+  return [&patch, shape](double y) { return strip_of(patch, shape, y); };
 }
 
 BrushTotals sum_ellipse(const EllipticPatch& patch, const contact::Creepage& creepage,
@@ -118,7 +120,7 @@ namespace {
 /// Strips under Hertz's pressure with the adhesion of strip theory.
 StripAt strips_with_theory(const EllipticPatch& patch, const contact::Creepage& creepage) {
   return [&patch, creepage](double y) {
-    BrushStrip strip = strips_of(patch, BoundShape::elliptic)(y);
+    BrushStrip strip = strip_of(patch, BoundShape::elliptic, y);
     if (strip.bound > 0.0)
       strip.theory.emplace(patch.hertz, patch.material,
                            patch.friction * patch.hertz.max_pressure / patch.hertz.semi_axis_x,

@@ -58,11 +58,12 @@ Values sampled(const profiles::ProfileCurve& curve, const Asked& asked) {
 /// Columns one after the other: y and z, the arc length or the inclination.
 Values columns(const profiles::ProfileCurve& curve, const Values& places, const Asked& asked) {
   const double order = asked.wheel ? -1.0 : 1.0;
+  const double middle = asked.task == 4 ? curve.parameter_at(0.0) : 0.0;
   Values first, second;
   for (const double place : places) {
     const profiles::ProfilePoint p = curve.at(place);
     if (asked.task == 4)
-      first.push_back(order * (place - curve.parameter_at(0.0)));
+      first.push_back(order * (place - middle));
     else if (asked.task == 5)
       first.push_back(std::atan2(order * p.tangent_z, order * p.tangent_y));
     else
